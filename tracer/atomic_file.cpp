@@ -1,0 +1,104 @@
+#include "tracer/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+#include "tracer/error.h"
+
+namespace sir {
+namespace {
+
+std::string reason_of(int code) { return std::strerror(code); }
+
+// Unique within the process; the process number keeps processes apart.
+std::filesystem::path temporary_beside(const std::filesystem::path& destination) {
+  static std::atomic<unsigned> serial{0};
+  return std::filesystem::path(destination) +=
+         "." + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path destination)
+    : destination_(std::move(destination)) {
+  std::error_code ignored;
+  // A symbolic link keeps pointing where it points: its target is replaced.
+  if (std::filesystem::is_symlink(destination_, ignored)) {
+    auto target = std::filesystem::canonical(destination_, ignored);
+    if (!ignored) destination_ = std::move(target);
+  }
+  const auto status = std::filesystem::status(destination_, ignored);
+  const bool direct = std::filesystem::exists(status) &&
+                      !std::filesystem::is_regular_file(status);
+  if (direct) {
+    descriptor_ = ::open(destination_.c_str(), O_WRONLY | O_CLOEXEC);
+  } else {
+    temporary_ = temporary_beside(destination_);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  }
+  if (descriptor_ < 0)
+    throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+  // The permissions of a file that is replaced are kept.
+  struct stat old {};
+  if (!direct && ::stat(destination_.c_str(), &old) == 0)
+    (void)!::fchmod(descriptor_, old.st_mode & 07777);
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+void AtomicFile::write(std::string_view text) {
+  write(std::as_bytes(std::span(text.data(), text.size())));
+}
+
+void AtomicFile::commit() {
+  if (!temporary_.empty() && ::fsync(descriptor_) != 0)
+    throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+  const int closed = ::close(descriptor_);
+  descriptor_ = -1;
+  if (closed != 0)
+    throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), destination_.c_str()) != 0)
+    throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+  temporary_.clear();
+}
+
+void write_file_atomically(const std::filesystem::path& destination,
+                           std::span<const std::byte> bytes) {
+  AtomicFile file(destination);
+  file.write(bytes);
+  file.commit();
+}
+
+void write_file_atomically(const std::filesystem::path& destination,
+                           std::string_view text) {
+  write_file_atomically(destination, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+void refuse_same_file(const std::filesystem::path& output,
+                      const std::filesystem::path& input) {
+  std::error_code missing;
+  if (std::filesystem::equivalent(output, input, missing))
+    throw FileError(output.string(), 0, "is an input and is not overwritten");
+}
+
+}  // namespace sir

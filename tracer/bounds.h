@@ -1,0 +1,72 @@
+// Envelopes (thesis 2.5.2): boxes along the axes of SC_CENA.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tracer/frames.h"
+#include "tracer/intersect.h"
+#include "tracer/numeric.h"
+
+namespace sir {
+
+/// A box with faces parallel to the axes of SC_CENA; empty where low > high.
+template <typename T>
+struct Bounds {
+  glm::vec<3, T> low{std::numeric_limits<T>::infinity()};
+  glm::vec<3, T> high{-std::numeric_limits<T>::infinity()};
+
+  void include(const Bounds& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+  glm::vec<3, T> centre() const { return low / T(2) + high / T(2); }
+};
+
+/// The envelope of a primitive, tight but for rounding, and widened by the
+/// roundings of Numeric::kBoxRoundings.
+template <typename T>
+Bounds<T> bounds_of(PrimitiveKind kind, const LocalCena<T>& placement);
+
+/// A ray prepared for many box tests. `margin` is how far the computed
+/// intersection with a solid may lie from the true line: the distance that the
+/// origin's rounding is worth in SC_CENA.
+template <typename T>
+class BoxProbe {
+ public:
+  BoxProbe(const RayCena<T>& ray, T margin) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const T d = ray.direction.v[axis];
+      reciprocal_[axis] = T(1) / d;
+      parallel_[axis] = !std::isfinite(reciprocal_[axis]);
+      low_origin_[axis] = ray.origin.v[axis] + margin;
+      high_origin_[axis] = ray.origin.v[axis] - margin;
+    }
+  }
+
+  /// Whether the line meets the box at some t in [0, farthest]. Never false
+  /// where a solid in the box is hit; may be true where it is not.
+  bool meets(const Bounds<T>& box, T farthest) const {
+    T enter = 0, leave = farthest;
+    for (int axis = 0; axis < 3; ++axis) {
+      const T to_low = box.low[axis] - low_origin_[axis];
+      const T to_high = box.high[axis] - high_origin_[axis];
+      if (parallel_[axis]) {
+        if (to_low > 0 || to_high < 0) return false;
+        continue;
+      }
+      const T a = to_low * reciprocal_[axis], b = to_high * reciprocal_[axis];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    // The quotients are good to a few roundings of t.
+    return enter <= leave * (1 + 8 * Numeric<T>::kEpsilon);
+  }
+
+ private:
+  glm::vec<3, T> reciprocal_, low_origin_, high_origin_;
+  bool parallel_[3];
+};
+
+}  // namespace sir

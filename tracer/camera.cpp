@@ -1,0 +1,35 @@
+#include "tracer/camera.h"
+
+#include "tracer/numeric.h"
+
+namespace sir {
+
+template <typename T>
+Camera<T>::Camera(const CameraFile& file)
+    : window_(file.window), focal_(static_cast<T>(file.focal)), parallel_(file.parallel) {
+  const glm::dvec3 n = glm::normalize(scaled_near_one(file.normal));
+  const glm::dvec3 right = glm::normalize(glm::cross(n, scaled_near_one(file.up)));
+  const glm::dmat3 axes(right, glm::cross(right, n), n);
+  obs_cena_.linear = glm::mat<3, 3, T>(axes);
+  obs_cena_.inverse = glm::mat<3, 3, T>(glm::transpose(axes));
+  obs_cena_.translation = glm::vec<3, T>(file.target - file.distance * n);
+}
+
+template <typename T>
+RayObs<T> Camera<T>::primary_ray_obs(int i, int j, ImageSize size) const {
+  const T xp = window_.x * T(2 * i + 1 - size.width) / T(2 * size.width);
+  const T yp = window_.y * T(size.height - 2 * j - 1) / T(2 * size.height);
+  if (parallel_) return {{{xp, yp, 0}}, {{0, 0, 1}}};
+  return {{{xp, yp, 0}}, {{xp, yp, focal_}}};
+}
+
+template <typename T>
+RayCena<T> Camera<T>::primary_ray(int i, int j, ImageSize size) const {
+  const RayObs<T> ray = primary_ray_obs(i, j, size);
+  return {obs_cena_.apply(ray.origin), obs_cena_.apply(ray.direction)};
+}
+
+template class Camera<float>;
+template class Camera<double>;
+
+}  // namespace sir

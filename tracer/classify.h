@@ -1,0 +1,99 @@
+// RAY-TRACING (thesis 2.3.6, 3.3): where a ray enters and leaves the solid.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "tracer/solid.h"
+
+namespace sir {
+
+/// A boundary of the combined solid on a ray: an entry of the thesis's list
+/// CLASSIFICA.
+template <typename T>
+struct Boundary {
+  T t = 0;                  ///< in units of the ray's direction
+  std::uint32_t leaf = 0;   ///< index into Solid::leaves of the primitive that names it
+  std::uint8_t face = 0;    ///< of that primitive
+  bool entering = false;    ///< side: IN, from outside the solid to its inside
+  bool leaf_entering = false;  ///< the ray enters that primitive (a bore is left by entering the solid)
+};
+
+/// Where a ray begins. A secondary ray says on which face it stands and to
+/// which side of it it leaves; that replaces every offset from the surface.
+template <typename T>
+struct RayStart {
+  static constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t leaf = kNowhere;  ///< kNowhere: a free ray
+  bool inward = false;            ///< into that primitive
+  T error = 0;                    ///< how far rounding may have moved the origin, in SC_CENA
+};
+
+/// How boundaries are found; both give the same list.
+enum class Engine : std::uint8_t {
+  gates,  ///< hierarchy of envelopes, one sweep along the ray over flattened gates
+  roth    ///< the thesis's: every primitive, then table 2.4 at every composite
+};
+
+/// Finds boundaries along one ray at a time. Holds scratch space: one for each
+/// thread.
+///
+/// Boundaries of primitives closer than 32 ulp of t (chained) are one event.
+/// At each event the composition is asked once before and once after; where
+/// that differs there is a boundary, so that no span of zero length can arise.
+/// It is named by the primitive's surface that turns the same way as the
+/// result, of the lowest node number, then the lowest face.
+template <typename T>
+class Classifier {
+ public:
+  explicit Classifier(const Solid<T>& solid, Engine engine = Engine::gates);
+
+  /// Starts on a ray. Boundaries beyond `farthest` may be missing. A free ray
+  /// has its boundaries at t >= 0, a secondary one at t > 0.
+  void begin(const RayCena<T>& ray, const RayStart<T>& start = {},
+             T farthest = std::numeric_limits<T>::infinity());
+
+  /// The next boundary in order of t; false when there is none.
+  bool next(Boundary<T>& boundary);
+
+  /// Spans found by begin(): intersections with primitives.
+  std::size_t spans() const { return spans_.size(); }
+
+ private:
+  struct Crossed {
+    Span<T> span;
+    std::uint32_t leaf;
+    bool inside;
+  };
+  struct Event {
+    T t;
+    std::uint32_t crossed;  // index into spans_
+    bool enters;
+  };
+
+  void gather(std::uint32_t leaf, const RayCena<T>& ray, const RayStart<T>& start);
+  void snap_to_start(const Leaf<T>& leaf, const RayLocal<T>& ray, T error, Span<T>& span) const;
+  bool toggle(Crossed& crossed);
+  bool reportable(T t) const { return secondary_ ? t > 0 : t >= 0; }
+  Boundary<T> boundary_of(const Event& event, bool entering) const;
+  bool pass_cluster(std::size_t end, Boundary<T>& boundary);
+  bool changed_with_solid(const Event& event, T cluster_start) const;
+  bool precedes(const Boundary<T>& a, const Boundary<T>& b) const;
+  void combine_all();
+
+  const Solid<T>& solid_;
+  Engine engine_;
+  std::vector<Crossed> spans_;
+  std::vector<Event> events_;
+  std::size_t next_event_ = 0;
+  bool secondary_ = false;
+  bool inside_ = false;                // the solid, at the sweep's place
+  std::vector<std::int32_t> inputs_;   // true inputs of each gate, at the sweep's place
+  std::vector<std::uint64_t> stamp_;   // last cluster in which a gate switched
+  std::vector<std::uint8_t> switched_; // an odd number of times in that cluster
+  std::uint64_t cluster_ = 0;
+  std::vector<Boundary<T>> combined_;  // Engine::roth: the finished list
+};
+
+}  // namespace sir

@@ -1,0 +1,30 @@
+// The one error type of the libraries.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace sir {
+
+/// Work that could not be done because of what a file holds, or because it
+/// cannot be read or written. what() is one line meant for a person:
+/// "file:line: reason", or "file: reason" where no line is to blame.
+/// Only the program's main catches it.
+class FileError : public std::runtime_error {
+ public:
+  /// `line` counts from 1; 0 means that no single line is to blame.
+  FileError(std::string_view file, std::size_t line, std::string_view reason)
+      : std::runtime_error(format(file, line, reason)) {}
+
+ private:
+  static std::string format(std::string_view file, std::size_t line,
+                            std::string_view reason) {
+    std::string text(file);
+    if (line > 0) text += ":" + std::to_string(line);
+    return text.append(": ").append(reason);
+  }
+};
+
+}  // namespace sir

@@ -1,0 +1,105 @@
+// Coordinate frames as types (thesis 2.3.3).
+//
+// SC_LOCAL  a primitive's own frame, where it has its standard size and place
+// SC_CENA   the scene's frame: solids, lights and the camera are placed in it
+// SC_OBS    the observer's frame: screen in the plane Z = 0, scene at Z > 0
+//
+// Points, vectors and normals of different frames do not mix, and neither do
+// scalar types: both are compile errors. T is float or double and runs unmixed
+// from the primary ray to the colour.
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+
+namespace sir {
+
+struct ScLocal;
+struct ScCena;
+struct ScObs;
+
+template <typename Frame, typename T>
+struct Vector {
+  glm::vec<3, T> v{0};
+  Vector operator+(Vector other) const { return {v + other.v}; }
+  Vector operator-(Vector other) const { return {v - other.v}; }
+  Vector operator-() const { return {-v}; }
+  Vector operator*(T factor) const { return {v * factor}; }
+};
+
+template <typename Frame, typename T>
+struct Point {
+  glm::vec<3, T> v{0};
+  Point operator+(Vector<Frame, T> step) const { return {v + step.v}; }
+  Vector<Frame, T> operator-(Point other) const { return {v - other.v}; }
+};
+
+/// A surface normal. It is covariant: see Transform::apply(Normal).
+template <typename Frame, typename T>
+struct Normal {
+  glm::vec<3, T> v{0};
+  Normal operator-() const { return {-v}; }
+};
+
+template <typename Frame, typename T>
+T dot(Vector<Frame, T> a, Vector<Frame, T> b) { return glm::dot(a.v, b.v); }
+template <typename Frame, typename T>
+T dot(Normal<Frame, T> a, Vector<Frame, T> b) { return glm::dot(a.v, b.v); }
+template <typename Frame, typename T>
+T length(Vector<Frame, T> a) { return glm::length(a.v); }
+template <typename Frame, typename T>
+Vector<Frame, T> normalize(Vector<Frame, T> a) { return {glm::normalize(a.v)}; }
+
+/// P(t) = origin + t direction (thesis 2.3.2); the direction has any length
+/// but zero, and t is measured in units of it.
+template <typename Frame, typename T>
+struct Ray {
+  Point<Frame, T> origin;
+  Vector<Frame, T> direction;
+  Point<Frame, T> at(T t) const { return origin + direction * t; }
+};
+
+/// An affine map between two frames together with its inverse.
+///
+/// The files hold 4x4 matrices for row vectors, p' = p M with the translation
+/// in the fourth line; line i of the file is column i here, so that
+/// `linear * p + translation` is the thesis's p M. This is the only place that
+/// knows of it.
+template <typename From, typename To, typename T>
+struct Transform {
+  glm::mat<3, 3, T> linear{T(1)};
+  glm::mat<3, 3, T> inverse{T(1)};
+  glm::vec<3, T> translation{0};
+
+  Point<To, T> apply(Point<From, T> p) const { return {linear * p.v + translation}; }
+  Vector<To, T> apply(Vector<From, T> d) const { return {linear * d.v}; }
+
+  /// Normals go by the inverse's transpose, or a shear would tilt them off
+  /// the surface. The result is not of unit length.
+  Normal<To, T> apply(Normal<From, T> n) const { return {n.v * inverse}; }
+
+  /// The way back subtracts the translation before the inverse is applied: a
+  /// combined 4x4 inverse cancels badly far from the origin.
+  Point<From, T> unapply(Point<To, T> p) const { return {inverse * (p.v - translation)}; }
+  Vector<From, T> unapply(Vector<To, T> d) const { return {inverse * d.v}; }
+
+  /// A ray keeps its parameter t through the map (thesis 2.3.3).
+  Ray<From, T> unapply(const Ray<To, T>& ray) const {
+    return {unapply(ray.origin), unapply(ray.direction)};
+  }
+};
+
+template <typename T> using PointLocal = Point<ScLocal, T>;
+template <typename T> using VectorLocal = Vector<ScLocal, T>;
+template <typename T> using NormalLocal = Normal<ScLocal, T>;
+template <typename T> using RayLocal = Ray<ScLocal, T>;
+template <typename T> using PointCena = Point<ScCena, T>;
+template <typename T> using VectorCena = Vector<ScCena, T>;
+template <typename T> using NormalCena = Normal<ScCena, T>;
+template <typename T> using RayCena = Ray<ScCena, T>;
+template <typename T> using RayObs = Ray<ScObs, T>;
+template <typename T> using LocalCena = Transform<ScLocal, ScCena, T>;
+
+}  // namespace sir

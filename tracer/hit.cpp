@@ -1,0 +1,48 @@
+#include "tracer/hit.h"
+
+namespace sir {
+namespace {
+
+template <typename T>
+T largest(const glm::vec<3, T>& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+}  // namespace
+
+template <typename T>
+const Reflectance<T>& reflectance_at(const Model<T>& model, const Boundary<T>& boundary,
+                                     PointCena<T> point) {
+  const Leaf<T>& leaf = model.solid.leaves[boundary.leaf];
+  const Texture<T>& texture = model.textures[leaf.surfaces[boundary.face]];
+  if (texture.uniform() || !model.effects.texture) return texture.at({0, 0}, false);
+  return texture.at(texture_uv(leaf.kind, boundary.face, leaf.placement.unapply(point)), true);
+}
+
+template <typename T>
+Hit<T> hit_at(const Model<T>& model, const RayCena<T>& ray, const Boundary<T>& boundary) {
+  const Leaf<T>& leaf = model.solid.leaves[boundary.leaf];
+  Hit<T> hit;
+  hit.boundary = boundary;
+  hit.point = ray.at(boundary.t);
+  hit.incident = normalize(ray.direction);
+  hit.eye = -hit.incident;
+  const PointLocal<T> local = leaf.placement.unapply(hit.point);
+  const auto outward = leaf.placement.apply(outward_normal(leaf.kind, boundary.face, local));
+  hit.normal = normalize(VectorCena<T>{outward.v});
+  if (dot(hit.normal, hit.eye) < 0) hit.normal = -hit.normal;
+  hit.reflectance = &reflectance_at(model, boundary, hit.point);
+  hit.error = Numeric<T>::kStartRoundings * Numeric<T>::kEpsilon *
+              (largest(ray.origin.v) + boundary.t * largest(ray.direction.v));
+  return hit;
+}
+
+#define SIR_INSTANTIATE(T)                                                                 \
+  template const Reflectance<T>& reflectance_at(const Model<T>&, const Boundary<T>&,      \
+                                                PointCena<T>);                             \
+  template Hit<T> hit_at(const Model<T>&, const RayCena<T>&, const Boundary<T>&);
+SIR_INSTANTIATE(float)
+SIR_INSTANTIATE(double)
+#undef SIR_INSTANTIATE
+
+}  // namespace sir

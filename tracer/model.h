@@ -1,0 +1,33 @@
+// A scene made ready for tracing in one scalar type.
+#pragma once
+
+#include <vector>
+
+#include "tracer/camera.h"
+#include "tracer/colour.h"
+#include "tracer/render_options.h"
+#include "tracer/solid.h"
+#include "tracer/texture.h"
+
+namespace sir {
+
+template <typename T>
+struct PointLight {
+  PointCena<T> position;
+  Colour<T> intensity;
+};
+
+/// Everything that tracing reads. Immutable; shared by all threads.
+template <typename T>
+struct Model {
+  Solid<T> solid;
+  Camera<T> camera;
+  std::vector<Texture<T>> textures;  ///< index as in Scene::surfaces
+  std::vector<PointLight<T>> lights;
+  Colour<T> background, ambient;
+  EffectSet effects;                 ///< those that the scene calls for
+
+  Model(const Scene& scene, const EffectSet& allowed);
+};
+
+}  // namespace sir

@@ -1,0 +1,60 @@
+// The tolerances of the tracer, all of them, and the arithmetic that needs more
+// than T. Nothing here depends on the scale of a scene.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+namespace sir {
+
+template <typename T>
+struct Numeric {
+  static constexpr T kEpsilon = std::numeric_limits<T>::epsilon();
+
+  /// Boundaries of a ray closer than this many units in the last place of t
+  /// are one event: coincident faces are computed by different matrices and
+  /// differ by a few roundings.
+  static constexpr T kCoincidentUlps = 32;
+
+  /// Roundings between the true start of a secondary ray and the computed one,
+  /// in units of the coordinates that went into it.
+  static constexpr T kStartRoundings = 8;
+
+  /// Roundings between the computed intersection with a solid and the computed
+  /// intersection with its box: boxes are widened by as much, so that they
+  /// never hide a hit that the solid's own test finds.
+  static constexpr T kBoxRoundings = 64;
+
+  /// Distance from |t| to the next larger number.
+  static T ulp(T t) {
+    const T size = std::abs(t);
+    return std::nextafter(size, std::numeric_limits<T>::infinity()) - size;
+  }
+
+  /// Whether boundaries at a <= b are one event.
+  static bool same_event(T a, T b) {
+    const T gap = b - a;
+    const T size = std::max(std::abs(a), std::abs(b));
+    if (gap > kCoincidentUlps * kEpsilon * size) return false;  // ulp(t) <= epsilon |t|
+    return gap <= kCoincidentUlps * ulp(size);
+  }
+};
+
+/// `v` times a power of two that brings its largest component near 1 (zero stays
+/// zero), so that squares neither overflow nor underflow. Exact.
+glm::dvec3 scaled_near_one(const glm::dvec3& v);
+
+/// Whether the determinant is exactly zero, decided without rounding, so that a
+/// tiny solid is not taken for a flat one. Entries must be finite.
+bool is_singular(const glm::dmat3& m);
+
+/// The inverse to full double precision, by elimination with complete pivoting
+/// in quadruple precision: cofactors in double fail from a condition number of
+/// 1e12 on. False where the matrix is singular or its inverse does not fit.
+bool invert(const glm::dmat3& m, glm::dmat3& inverse);
+
+}  // namespace sir

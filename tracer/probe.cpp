@@ -1,0 +1,49 @@
+#include "tracer/probe.h"
+
+#include <cmath>
+
+#include "tracer/numeric.h"
+
+namespace sir {
+namespace {
+
+template <typename T>
+class ProberIn : public Prober {
+ public:
+  ProberIn(const Scene& scene, Engine engine)
+      : solid_(build_solid<T>(scene)), classifier_(solid_, engine) {
+    for (const Surface& surface : scene.surfaces) surface_numbers_.push_back(surface.number);
+  }
+
+  const std::vector<ProbeHit>& hits(const glm::dvec3& origin, const glm::dvec3& direction) override {
+    // Traced with a direction near 1, so that lengths of 1e-150 and 1e150
+    // neither underflow nor overflow; a power of two changes no digit of t.
+    const double largest =
+        std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    const int exponent = -std::ilogb(largest);
+    hits_.clear();
+    classifier_.begin({{glm::vec<3, T>(origin)}, {glm::vec<3, T>(scaled_near_one(direction))}});
+    Boundary<T> boundary;
+    while (classifier_.next(boundary)) {
+      const Leaf<T>& leaf = solid_.leaves[boundary.leaf];
+      hits_.push_back({std::ldexp(double(boundary.t), exponent), boundary.entering, leaf.node,
+                       boundary.face, surface_numbers_[leaf.surfaces[boundary.face]]});
+    }
+    return hits_;
+  }
+
+ private:
+  Solid<T> solid_;
+  Classifier<T> classifier_;
+  std::vector<std::int64_t> surface_numbers_;
+  std::vector<ProbeHit> hits_;
+};
+
+}  // namespace
+
+std::unique_ptr<Prober> make_prober(const Scene& scene, Precision precision, Engine engine) {
+  if (precision == Precision::float_) return std::make_unique<ProberIn<float>>(scene, engine);
+  return std::make_unique<ProberIn<double>>(scene, engine);
+}
+
+}  // namespace sir

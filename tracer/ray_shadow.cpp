@@ -1,0 +1,28 @@
+#include "tracer/ray_shadow.h"
+
+namespace sir {
+
+template <typename T>
+Colour<T> light_reaching(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& hit,
+                         VectorCena<T> to_light, const Colour<T>& intensity) {
+  const RayCena<T> ray{hit.point, to_light};
+  classifier.begin(ray, hit.leaving_on_eye_side(), T(1));
+  T passed = 1;
+  Boundary<T> boundary;
+  while (classifier.next(boundary) && boundary.t < 1 && !Numeric<T>::same_event(boundary.t, T(1))) {
+    const T kt = model.effects.filter
+                     ? reflectance_at(model, boundary, ray.at(boundary.t)).transmission
+                     : T(0);
+    if (!(kt > 0)) return Colour<T>(0);
+    passed *= kt;
+  }
+  return intensity * passed;
+}
+
+template Colour<float> light_reaching(const Model<float>&, Classifier<float>&, const Hit<float>&,
+                                      VectorCena<float>, const Colour<float>&);
+template Colour<double> light_reaching(const Model<double>&, Classifier<double>&,
+                                       const Hit<double>&, VectorCena<double>,
+                                       const Colour<double>&);
+
+}  // namespace sir

@@ -1,0 +1,16 @@
+// Illumination rays (thesis 2.4.1): how much of a light reaches a point.
+#pragma once
+
+#include "tracer/hit.h"
+
+namespace sir {
+
+/// The light's intensity at the hit: none behind an opaque surface, else times
+/// the kt of every boundary between. `to_light` = light - point, not
+/// normalised, so that the light is at t = 1; a surface that the light lies on
+/// is not between. Without the filter effect any surface is opaque.
+template <typename T>
+Colour<T> light_reaching(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& hit,
+                         VectorCena<T> to_light, const Colour<T>& intensity);
+
+}  // namespace sir

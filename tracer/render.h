@@ -1,0 +1,52 @@
+// SIR (thesis 3.3): sends a primary ray through every pixel and collects the
+// planes.
+#pragma once
+
+#include <functional>
+#include <stop_token>
+
+#include "tracer/planes.h"
+#include "tracer/render_options.h"
+#include "tracer/trace_log.h"
+
+namespace sir {
+
+enum class Precision : std::uint8_t { float_, double_ };
+
+/// A rectangle of pixels, from the top left.
+struct Region {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+struct RenderOptions {
+  ImageSize size;
+  Region region;    ///< an empty one stands for the whole image
+  int threads = 0;  ///< 0: as many as cores
+  Precision precision = Precision::double_;
+  TraceOptions trace;
+};
+
+struct RenderResult {
+  Planes planes;            ///< of the region
+  RayCounts counts;
+  double prepare_seconds = 0;  ///< matrices, envelopes, hierarchy
+  double trace_seconds = 0;
+  EffectSet effects;        ///< those that ran
+  bool complete = true;     ///< false: stopped before the end
+};
+
+/// Renders; the planes are the same for any number of threads. `progress`, if
+/// given, is called now and then from any thread, one call at a time, with the
+/// share of the pixels done, in [0,1]. A stop request ends it within a row of a
+/// tile. Throws std::invalid_argument for a region outside the image.
+RenderResult render(const Scene& scene, const RenderOptions& options,
+                    const std::function<void(double)>& progress = {}, std::stop_token stop = {});
+
+/// The tree behind the pixel in column i and row j, and its bytes.
+struct PixelTrace {
+  TraceLog log;
+  Rgb8 pixel;
+};
+PixelTrace trace_pixel(const Scene& scene, const RenderOptions& options, int i, int j);
+
+}  // namespace sir

@@ -1,0 +1,37 @@
+// What a person may choose about a rendering.
+#pragma once
+
+#include <cstdint>
+
+#include "tracer/classify.h"
+#include "tracer/effect_set.h"
+
+namespace sir {
+
+/// What stands for R and T where the depth limit cuts them off (2.4.3).
+enum class PastLimit : std::uint8_t { zero, background };
+
+struct TraceOptions {
+  int depth_limit = 5;      ///< a primary hit has depth 1; secondary rays are cast below the limit
+  double cutoff = 0;        ///< adaptive control: no secondary ray of less weight (Hall 1983)
+  PastLimit past_limit = PastLimit::zero;
+  EffectSet allowed_effects;
+  Engine engine = Engine::gates;
+};
+
+/// Rays cast, by kind, and intersections found.
+struct RayCounts {
+  std::uint64_t primary = 0, reflected = 0, refracted = 0, shadow = 0;
+  std::uint64_t spans = 0;  ///< primitives that those rays went through
+
+  RayCounts& operator+=(const RayCounts& other) {
+    primary += other.primary;
+    reflected += other.reflected;
+    refracted += other.refracted;
+    shadow += other.shadow;
+    spans += other.spans;
+    return *this;
+  }
+};
+
+}  // namespace sir

@@ -1,0 +1,19 @@
+// SHADE (thesis 2.4.3, equation 2.1): the light that a surface itself sends
+// back; what mirrored and refracted rays bring is added by Tracer.
+#pragma once
+
+#include <vector>
+
+#include "tracer/hit.h"
+
+namespace sir {
+
+/// Ia Ka + sum over lights If [Kd max(0,N.L) + Ks max(0,N.H)^n], L, E, H and N
+/// unit, H = normalize(L+E). A light counts only where N.L > 0. Casts the
+/// shadow rays; `counts.shadow` is raised for each. `log`, if given, receives
+/// the intensity that arrives from each light.
+template <typename T>
+Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& hit,
+                RayCounts& counts, std::vector<glm::dvec3>* log = nullptr);
+
+}  // namespace sir

@@ -1,0 +1,136 @@
+#include "tracer/solid.h"
+
+#include <unordered_map>
+
+namespace sir {
+namespace {
+
+template <typename T>
+Leaf<T> make_leaf(const CsgNode& node,
+                  const std::unordered_map<std::int64_t, std::uint32_t>& surface_index) {
+  Leaf<T> leaf;
+  glm::dmat3 inverse(1.0);
+  invert(node.placement.linear, inverse);  // the reader has refused singular ones
+  leaf.placement.linear = glm::mat<3, 3, T>(node.placement.linear);
+  leaf.placement.inverse = glm::mat<3, 3, T>(inverse);
+  leaf.placement.translation = glm::vec<3, T>(node.placement.translation);
+  leaf.stretch = 0;
+  for (int row = 0; row < 3; ++row) {
+    T sum = 0;
+    for (int column = 0; column < 3; ++column) sum += std::abs(leaf.placement.inverse[column][row]);
+    leaf.stretch = std::max(leaf.stretch, sum);
+  }
+  for (std::size_t face = 0; face < static_cast<std::size_t>(face_count(node.kind)); ++face)
+    leaf.surfaces[face] = surface_index.at(node.surfaces[face]);
+  leaf.node = node.number;
+  leaf.kind = node.kind;
+  return leaf;
+}
+
+// Largest entry of |LOCAL_CENA| |CENA_LOCAL|: by so much a rounding made in
+// SC_LOCAL grows on its way back to SC_CENA. Near 1 for turned and scaled
+// solids, as large as the condition number for sheared ones.
+template <typename T>
+T amplification(const LocalCena<T>& placement) {
+  T worst = 1;
+  for (int row = 0; row < 3; ++row) {
+    T sum = 0;
+    for (int column = 0; column < 3; ++column)
+      for (int k = 0; k < 3; ++k)
+        sum += std::abs(placement.linear[k][row]) * std::abs(placement.inverse[column][k]);
+    worst = std::max(worst, sum);
+  }
+  return worst;
+}
+
+enum class GateKind : std::uint8_t { any, all };
+
+// What a composite becomes, and whether its children are complemented.
+struct Rewritten {
+  GateKind kind;
+  bool left_complemented, right_complemented;
+};
+
+Rewritten rewrite(Operation operation, bool complemented) {
+  switch (operation) {
+    case Operation::union_of:
+      return {complemented ? GateKind::all : GateKind::any, complemented, complemented};
+    case Operation::intersection:
+      return {complemented ? GateKind::any : GateKind::all, complemented, complemented};
+    case Operation::difference:
+      return {complemented ? GateKind::any : GateKind::all, complemented, !complemented};
+  }
+  return {GateKind::any, false, false};
+}
+
+}  // namespace
+
+template <typename T>
+Solid<T> build_solid(const Scene& scene) {
+  std::unordered_map<std::int64_t, std::uint32_t> surface_index;
+  for (const Surface& surface : scene.surfaces)
+    surface_index.emplace(surface.number, static_cast<std::uint32_t>(surface_index.size()));
+
+  Solid<T> solid;
+  std::vector<GateKind> kind_of;
+  std::vector<std::int32_t> inputs;
+  struct Open {
+    std::size_t node;
+    std::int32_t gate;
+    bool complemented;
+  };
+  std::vector<Open> open{{scene.tree.root, -1, false}};
+  while (!open.empty()) {
+    const Open item = open.back();
+    open.pop_back();
+    const CsgNode& node = scene.tree.nodes[item.node];
+    // Node, right, left is reverse Polish order read backwards.
+    solid.polish.push_back({!node.composite, node.operation,
+                            static_cast<std::uint32_t>(solid.leaves.size())});
+    if (!node.composite) {
+      Leaf<T> leaf = make_leaf<T>(node, surface_index);
+      leaf.gate = item.gate;
+      leaf.complemented = item.complemented;
+      if (item.gate >= 0) {
+        const auto gate = static_cast<std::size_t>(item.gate);
+        ++inputs[gate];
+        if (item.complemented) ++solid.gates[gate].at_rest;
+      }
+      solid.roundings = std::max(solid.roundings, amplification(leaf.placement));
+      solid.leaves.push_back(leaf);
+      continue;
+    }
+    const Rewritten made = rewrite(node.operation, item.complemented);
+    std::int32_t gate = item.gate;
+    // Like joins like: chains of one operation collapse into one gate.
+    if (gate < 0 || kind_of[static_cast<std::size_t>(gate)] != made.kind) {
+      if (gate >= 0) ++inputs[static_cast<std::size_t>(gate)];
+      solid.gates.push_back({gate, 0, 0});
+      kind_of.push_back(made.kind);
+      inputs.push_back(0);
+      gate = static_cast<std::int32_t>(solid.gates.size()) - 1;
+    }
+    open.push_back({node.left, gate, made.left_complemented});
+    open.push_back({node.right, gate, made.right_complemented});
+  }
+  std::reverse(solid.polish.begin(), solid.polish.end());
+
+  // Children stand after their parents, so one backward pass settles the rest.
+  for (std::size_t g = solid.gates.size(); g-- > 0;) {
+    Gate& gate = solid.gates[g];
+    gate.needed = kind_of[g] == GateKind::any ? 1 : inputs[g];
+    if (gate.at_rest >= gate.needed && gate.parent >= 0)
+      ++solid.gates[static_cast<std::size_t>(gate.parent)].at_rest;
+  }
+
+  std::vector<Bounds<T>> boxes;
+  boxes.reserve(solid.leaves.size());
+  for (const Leaf<T>& leaf : solid.leaves) boxes.push_back(bounds_of(leaf.kind, leaf.placement));
+  solid.hierarchy = Hierarchy<T>(boxes);
+  return solid;
+}
+
+template Solid<float> build_solid(const Scene&);
+template Solid<double> build_solid(const Scene&);
+
+}  // namespace sir

@@ -1,0 +1,218 @@
+#include "tracer/text_file.h"
+
+#include <locale.h>
+#include <utf8proc.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+#include "tracer/error.h"
+
+namespace sir {
+namespace {
+
+constexpr std::string_view kWhiteSpace = " \t\r\n\v\f";
+
+std::string_view trim(std::string_view text) {
+  const auto first = text.find_first_not_of(kWhiteSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kWhiteSpace) - first + 1);
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    utf8proc_int32_t unused = 0;
+    const auto used =
+        utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
+                         static_cast<utf8proc_ssize_t>(text.size()), &unused);
+    if (used <= 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(used));
+  }
+  return true;
+}
+
+std::string latin1_to_utf8(std::string_view text) {
+  std::string result;
+  result.reserve(text.size() + text.size() / 8);
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (code < 0x80) {
+      result += letter;
+    } else {
+      result += static_cast<char>(0xC0 | (code >> 6));
+      result += static_cast<char>(0x80 | (code & 0x3F));
+    }
+  }
+  return result;
+}
+
+std::string quoted(std::string_view token) {
+  constexpr std::size_t kShown = 40;
+  if (token.size() <= kShown) return "\"" + std::string(token) + "\"";
+  // Cut between characters, so that the message stays valid UTF-8.
+  std::size_t end = kShown;
+  while (end > 0 && (static_cast<unsigned char>(token[end]) & 0xC0) == 0x80) --end;
+  return "\"" + std::string(token.substr(0, end)) + "...\"";
+}
+
+std::string read_all(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw FileError(name, 0, "is a folder");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"),
+                                                             std::fclose);
+  if (!file) throw FileError(name, 0, std::string("cannot be read: ") + std::strerror(errno));
+  std::string text;
+  std::array<char, 1 << 16> chunk{};
+  std::size_t line = 1, line_length = 0;
+  while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
+    // Checked while reading, so that a line of gigabytes costs a megabyte.
+    for (std::size_t i = 0; i < got; ++i) {
+      if (chunk[i] == '\n') {
+        ++line;
+        line_length = 0;
+      } else if (++line_length > TextFile::kMaxLine) {
+        throw FileError(name, line,
+                        "the line is longer than " + std::to_string(TextFile::kMaxLine) + " bytes");
+      }
+    }
+    text.append(chunk.data(), got);
+    if (text.size() > TextFile::kMaxFile)
+      throw FileError(name, line,
+                      "the file is longer than " + std::to_string(TextFile::kMaxFile) + " bytes");
+  }
+  if (std::ferror(file.get())) throw FileError(name, line, "cannot be read further");
+  return text;
+}
+
+}  // namespace
+
+std::string fold_keyword(std::string_view text) {
+  text = trim(text);
+  utf8proc_uint8_t* folded = nullptr;
+  const auto length = utf8proc_map(
+      reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
+      static_cast<utf8proc_ssize_t>(text.size()), &folded,
+      static_cast<utf8proc_option_t>(UTF8PROC_DECOMPOSE | UTF8PROC_STRIPMARK | UTF8PROC_CASEFOLD));
+  const std::unique_ptr<utf8proc_uint8_t, void (*)(void*)> owner(folded, std::free);
+  if (length < 0) return std::string(text);
+  return std::string(reinterpret_cast<const char*>(folded), static_cast<std::size_t>(length));
+}
+
+bool parse_number(std::string_view token, double& value) {
+  if (!token.empty() && token.front() == '+') {
+    token.remove_prefix(1);
+    if (!token.empty() && token.front() == '-') return false;
+  }
+  const char* end = token.data() + token.size();
+  const auto [stop, code] = std::from_chars(token.data(), end, value);
+  if (stop != end || token.empty()) return false;
+  if (code == std::errc::result_out_of_range) {
+    // from_chars does not tell too large from too small; strtod does.
+    static const locale_t c_locale = ::newlocale(LC_ALL_MASK, "C", nullptr);
+    value = ::strtod_l(std::string(token).c_str(), nullptr, c_locale);
+  } else if (code != std::errc{}) {
+    return false;
+  }
+  return std::isfinite(value);
+}
+
+bool parse_count(std::string_view token, std::int64_t& value) {
+  const char* end = token.data() + token.size();
+  const auto [stop, code] = std::from_chars(token.data(), end, value);
+  return code == std::errc{} && stop == end && value >= 0 && !token.empty() &&
+         token.front() != '-';
+}
+
+std::vector<std::string_view> split_tokens(std::string_view line) {
+  std::vector<std::string_view> tokens;
+  for (auto from = line.find_first_not_of(kWhiteSpace); from != std::string_view::npos;) {
+    const auto to = line.find_first_of(kWhiteSpace, from);
+    tokens.push_back(line.substr(from, to - from));
+    from = to == std::string_view::npos ? to : line.find_first_not_of(kWhiteSpace, to);
+  }
+  return tokens;
+}
+
+TextFile::TextFile(const std::filesystem::path& path)
+    : name_(path.string()), text_(read_all(path)) {
+  settle_encoding();
+}
+
+TextFile::TextFile(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::move(text)) {
+  settle_encoding();
+}
+
+void TextFile::settle_encoding() {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (!is_utf8(text_)) text_ = latin1_to_utf8(text_);
+  if (text_.starts_with(kByteOrderMark)) text_.erase(0, kByteOrderMark.size());
+}
+
+bool TextFile::next() {
+  if (put_back_) {
+    put_back_ = false;
+    return true;
+  }
+  while (position_ < text_.size()) {
+    const auto end = std::min(text_.find('\n', position_), text_.size());
+    line_ = trim(std::string_view(text_).substr(position_, end - position_));
+    position_ = end + 1;
+    ++number_;
+    if (!line_.empty()) return true;
+  }
+  return false;
+}
+
+void TextFile::expect(std::string_view what) {
+  if (!next())
+    fail_at(number_ + (number_ == 0), "the file ends where " + std::string(what) + " should stand");
+}
+
+bool TextFile::at_end() {
+  if (!next()) return true;
+  put_back();
+  return false;
+}
+
+std::vector<double> TextFile::numbers_here(std::string_view what) const {
+  std::vector<double> values;
+  for (const auto token : split_tokens(line_)) {
+    double value = 0;
+    if (!parse_number(token, value))
+      fail(std::string(what) + ": " + quoted(token) + " is not a finite number");
+    values.push_back(value);
+  }
+  return values;
+}
+
+void TextFile::read_numbers(std::string_view what, std::span<double> values) {
+  expect(what);
+  const auto found = numbers_here(what);
+  if (found.size() != values.size())
+    fail(std::string(what) + ": " + std::to_string(values.size()) + " numbers expected, " +
+         std::to_string(found.size()) + " found");
+  std::copy(found.begin(), found.end(), values.begin());
+}
+
+std::int64_t TextFile::read_count(std::string_view what) {
+  expect(what);
+  std::int64_t value = 0;
+  if (!parse_count(line_, value))
+    fail(std::string(what) + ": " + quoted(line_) + " is not a non-negative integer");
+  return value;
+}
+
+void TextFile::fail(std::string_view reason) const { throw FileError(name_, number_, reason); }
+
+void TextFile::fail_at(std::size_t line, std::string_view reason) const {
+  throw FileError(name_, line, reason);
+}
+
+}  // namespace sir

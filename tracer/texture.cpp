@@ -1,0 +1,32 @@
+#include "tracer/texture.h"
+
+namespace sir {
+namespace {
+
+template <typename T>
+Reflectance<T> converted(const Coefficients& k) {
+  return {Colour<T>(k.ambient),           Colour<T>(k.diffuse),
+          static_cast<T>(k.specular),     static_cast<T>(k.exponent),
+          static_cast<T>(k.transmission), static_cast<T>(k.index)};
+}
+
+}  // namespace
+
+template <typename T>
+Texture<T>::Texture(const Surface& surface)
+    : first_(converted<T>(surface.first)), second_(converted<T>(surface.second)),
+      cells_u_(static_cast<T>(surface.cells_u)), cells_v_(static_cast<T>(surface.cells_v)),
+      chequer_(surface.texture == TextureKind::chequer) {}
+
+template <typename T>
+const Reflectance<T>& Texture<T>::at(TextureUv<T> uv, bool texture_effect) const {
+  if (!chequer_ || !texture_effect) return first_;
+  const T cell = std::min(std::floor(uv.u * cells_u_), cells_u_ - 1) +
+                 std::min(std::floor(uv.v * cells_v_), cells_v_ - 1);
+  return std::fmod(cell, T(2)) == 0 ? first_ : second_;
+}
+
+template class Texture<float>;
+template class Texture<double>;
+
+}  // namespace sir

@@ -1,0 +1,162 @@
+#include "tracer/trace.h"
+
+#include "tracer/ray_secondary.h"
+#include "tracer/shade.h"
+
+namespace sir {
+namespace {
+
+constexpr int kMirrored = 0, kThrough = 1, kDone = 2;  // Open::stage
+
+template <typename T>
+Coefficients to_double(const Reflectance<T>& k) {
+  return {glm::dvec3(k.ambient), glm::dvec3(k.diffuse), double(k.specular),
+          double(k.exponent),    double(k.transmission), double(k.index)};
+}
+
+}  // namespace
+
+template <typename T>
+Tracer<T>::Tracer(const Model<T>& model, const TraceOptions& options)
+    : model_(model), options_(options), classifier_(model.solid, options.engine) {}
+
+template <typename T>
+Colour<T> Tracer<T>::radiance(const RayCena<T>& primary, TraceLog* log) {
+  log_ = log;
+  stack_.clear();
+  ++counts_.primary;
+  if (!cast(primary, {}, T(0), T(1), 1, RayKind::primary, T(1))) return model_.background;
+  while (!stack_.empty()) advance();
+  return result_;
+}
+
+// Sends a ray and opens the point where it hits; false where it leaves the
+// scene. An index of 0 stands for "not known yet": a ray that may begin inside.
+template <typename T>
+bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T path_weight,
+                     int depth, RayKind kind, T factor) {
+  classifier_.begin(ray, start);
+  counts_.spans += classifier_.spans();
+  Boundary<T> boundary;
+  const bool met = classifier_.next(boundary);
+  std::size_t log_index = 0;
+  if (log_) {
+    log_index = log_->size();
+    TraceNode node;
+    if (!stack_.empty()) node.parent = stack_.back().log_index;
+    node.kind = kind;
+    node.depth = depth;
+    node.weight = double(path_weight);
+    node.factor = double(factor);
+    node.origin = glm::dvec3(ray.origin.v);
+    node.direction = glm::dvec3(ray.direction.v);
+    if (!met) node.colour = glm::dvec3(model_.background);
+    log_->push_back(node);
+  }
+  if (!met) return false;
+
+  Open open{};
+  open.hit = hit_at(model_, ray, boundary);
+  open.path_weight = path_weight;
+  open.depth = depth;
+  open.log_index = log_index;
+  const Reflectance<T>& k = *open.hit.reflectance;
+  // A ray that begins inside is in what it leaves.
+  if (index == 0) index = boundary.entering || !(k.index > 0) ? T(1) : k.index;
+  open.index = index;
+  std::vector<glm::dvec3>* lights = nullptr;
+  if (log_) {
+    TraceNode& node = (*log_)[log_index];
+    const Leaf<T>& leaf = model_.solid.leaves[boundary.leaf];
+    node.hit = true;
+    node.t = double(boundary.t);
+    node.entering = boundary.entering;
+    node.node = leaf.node;
+    node.face = boundary.face;
+    node.surface = leaf.surfaces[boundary.face];
+    node.coefficients = to_double(k);
+    node.point = glm::dvec3(open.hit.point.v);
+    node.normal = glm::dvec3(open.hit.normal.v);
+    lights = &node.lights;
+  }
+  open.colour = shade(model_, classifier_, open.hit, counts_, lights);
+  prepare_secondary(open);
+  if (log_) {
+    (*log_)[log_index].local = glm::dvec3(open.colour);
+    (*log_)[log_index].total_reflection = !open.has_through && open.hit.reflectance->transmission > 0;
+  }
+  stack_.push_back(open);
+  return true;
+}
+
+template <typename T>
+void Tracer<T>::prepare_secondary(Open& open) const {
+  const Reflectance<T>& k = *open.hit.reflectance;
+  const EffectSet& effects = model_.effects;
+  open.mirror_weight = effects.reflection ? k.specular : T(0);
+  open.through_weight = effects.refraction ? k.transmission : T(0);
+  open.index_beyond = open.hit.boundary.entering && k.index > 0 ? k.index : T(1);
+  open.has_through = false;
+  if (!effects.refraction || !(open.through_weight > 0 || effects.exhaustive)) return;
+  open.has_through = refracted(open.hit.incident, open.hit.normal, open.index, open.index_beyond,
+                               open.through);
+  if (!open.has_through) {  // total internal reflection: the share joins the mirrored ray
+    open.mirror_weight += open.through_weight;
+    open.through_weight = 0;
+  }
+}
+
+template <typename T>
+bool Tracer<T>::wanted(const Open& open, T weight) const {
+  if (!(weight > 0)) return model_.effects.exhaustive;
+  return open.path_weight * weight >= static_cast<T>(options_.cutoff);
+}
+
+// One step of the point on top of the stack: its mirrored ray, its refracted
+// ray, or its completion.
+template <typename T>
+void Tracer<T>::advance() {
+  Open& open = stack_.back();
+  const int stage = open.stage++;
+  if (stage == kDone) {
+    const Colour<T> colour = open.colour;
+    if (log_) (*log_)[open.log_index].colour = glm::dvec3(colour);
+    stack_.pop_back();
+    deliver(colour);
+    return;
+  }
+  const bool mirror = stage == kMirrored;
+  const T weight = mirror ? open.mirror_weight : open.through_weight;
+  if (open.depth >= options_.depth_limit) {
+    if (options_.past_limit == PastLimit::background && weight > 0)
+      open.colour += weight * model_.background;
+    return;
+  }
+  const bool allowed = mirror ? model_.effects.reflection || weight > 0 : open.has_through;
+  if (!allowed || !wanted(open, weight)) return;
+  ++(mirror ? counts_.reflected : counts_.refracted);
+  const RayCena<T> ray{open.hit.point,
+                       mirror ? mirrored(open.hit.incident, open.hit.normal) : open.through};
+  const bool met = cast(ray, mirror ? open.hit.leaving_on_eye_side() : open.hit.leaving_through(),
+                        mirror ? open.index : open.index_beyond, open.path_weight * weight,
+                        open.depth + 1, mirror ? RayKind::reflected : RayKind::refracted, weight);
+  // cast() may have moved the stack; where it opened nothing, the top is ours.
+  if (!met) deliver(model_.background);
+}
+
+// Adds what a finished secondary ray saw to the point that sent it.
+template <typename T>
+void Tracer<T>::deliver(Colour<T> colour) {
+  if (stack_.empty()) {
+    result_ = colour;
+    return;
+  }
+  Open& parent = stack_.back();
+  const T weight = parent.stage - 1 == kMirrored ? parent.mirror_weight : parent.through_weight;
+  if (weight > 0) parent.colour += weight * colour;
+}
+
+template class Tracer<float>;
+template class Tracer<double>;
+
+}  // namespace sir

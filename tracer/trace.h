@@ -1,0 +1,54 @@
+// TRACE (thesis 2.4.1, 3.3): follows a primary ray through mirrors and glass.
+#pragma once
+
+#include <vector>
+
+#include "tracer/hit.h"
+#include "tracer/trace_log.h"
+
+namespace sir {
+
+/// Traces one ray at a time; one for each thread. The model must outlive it.
+template <typename T>
+class Tracer {
+ public:
+  Tracer(const Model<T>& model, const TraceOptions& options);
+
+  /// What a primary ray sees. `log`, if given, receives the whole tree.
+  Colour<T> radiance(const RayCena<T>& primary, TraceLog* log = nullptr);
+
+  const RayCounts& counts() const { return counts_; }
+
+ private:
+  // A point whose secondary rays are under way. The tree is walked depth
+  // first with these on a stack, so that its depth is bounded by memory only.
+  struct Open {
+    Hit<T> hit;
+    Colour<T> colour;     // so far
+    T mirror_weight, through_weight;  // ks (+ kt under total reflection), kt
+    VectorCena<T> through;            // refracted direction, if there is one
+    bool has_through;
+    T index, index_beyond;  // of the medium that the ray came in, and behind the surface
+    T path_weight;          // from the pixel to this ray
+    int depth;
+    int stage;              // secondary rays dealt with
+    std::size_t log_index;
+  };
+
+  bool cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T path_weight, int depth,
+            RayKind kind, T factor);
+  void prepare_secondary(Open& open) const;
+  void advance();
+  bool wanted(const Open& open, T weight) const;
+  void deliver(Colour<T> colour);
+
+  const Model<T>& model_;
+  TraceOptions options_;
+  Classifier<T> classifier_;
+  RayCounts counts_;
+  std::vector<Open> stack_;
+  Colour<T> result_{0};
+  TraceLog* log_ = nullptr;
+};
+
+}  // namespace sir
