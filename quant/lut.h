@@ -1,0 +1,38 @@
+// The lookup table: 256 colours for the monitor, and its file (thesis 3.6.5).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+#include "quant/dac_code.h"
+
+namespace sir::quant {
+
+/// Number of entries of the monitor's LUT.
+inline constexpr std::size_t kLutEntries = 256;
+
+/// Artifact of the choice: 256 entries. Where fewer colours were chosen the
+/// last one is repeated to the end, so that a search over all 256 never gains
+/// by the rest.
+struct Lut {
+  std::array<Code6, kLutEntries> entry{};
+  std::size_t chosen = 1;  ///< 1 to 256
+  friend bool operator==(const Lut&, const Lut&) = default;
+};
+
+/// The LUT of 1 to 256 chosen colours in their order; std::invalid_argument
+/// for another number of them.
+Lut make_lut(std::span<const Code6> colours);
+
+/// Writes 256 lines `r g b`, 0 to 63. Throws FileError.
+void write_lut(const std::filesystem::path& path, const Lut& lut);
+
+/// Reads what write_lut writes; `chosen` ends where the last entry's
+/// repetition begins. Throws FileError, with the line, for fewer or more than
+/// 256 entries, other than three words in a line, and for anything but
+/// integers from 0 to 63.
+Lut read_lut(const std::filesystem::path& path);
+
+}  // namespace sir::quant

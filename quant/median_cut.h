@@ -1,0 +1,33 @@
+// Selection of colours by median cut (thesis 3.4.1 a-e; Heckbert 1982).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "quant/grid.h"
+#include "quant/histogram.h"
+
+namespace sir::quant {
+
+/// Which box is split next; the thesis leaves it open. Boxes of a single cell
+/// are never split.
+enum class SplitOrder {
+  pixels,   ///< the box with most pixels (ties: the one that stands first)
+  breadth,  ///< every box of the list in its order, round after round
+  longest   ///< the box with the longest axis (ties: the one that stands first)
+};
+
+/// Splits the box of all `cells` until there are `entries` boxes, or only
+/// boxes of a single cell, and returns the boxes' means in the list's order.
+///
+/// A box is shrunk to the cells present. It is split along its longest axis
+/// (ties: the first axis), after the coordinate where the running total of
+/// pixels is nearest to half (ties: the lower), so that both halves are
+/// occupied; they take the box's place in the list, lower first.
+///
+/// `cells` are one plane's, in any order: the result does not depend on it.
+std::vector<Code6> median_cut(std::span<const Cell> cells, std::size_t entries, SplitOrder order,
+                              const Grid& grid);
+
+}  // namespace sir::quant
