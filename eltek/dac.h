@@ -1,0 +1,22 @@
+// The digital-to-analogue converters of the MA120 (thesis 3.4): from a 6-bit
+// code to what is seen.
+#pragma once
+
+#include <cstdint>
+
+#include "quant/dac_code.h"
+#include "tracer/planes.h"
+
+namespace sir::eltek {
+
+/// The level, 0..255, at which a code is seen: round(255 code / 63), which is
+/// what a linear converter gives when code 63 is full intensity, and what the
+/// choice of LUTs counts on (quant::seen_byte). Only the low 6 bits of `code`
+/// are wired.
+/// The thesis gives the range 0..63 and no curve; linearity is our model.
+std::uint8_t dac_level(std::uint8_t code);
+
+/// The colour of an entry as seen: one converter per primary.
+Rgb8 dac_colour(const quant::Code6& codes);
+
+}  // namespace sir::eltek

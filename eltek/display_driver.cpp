@@ -1,0 +1,77 @@
+#include "eltek/display_driver.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include "eltek/dac.h"
+#include "tracer/error.h"
+
+namespace sir::eltek {
+namespace {
+
+std::string text(ImageSize size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+}  // namespace
+
+Placement place(const std::string& name, ImageSize image, Oversize oversize) {
+  if (image.width < 1 || image.height < 1)
+    throw FileError(name, 0, "an image of " + text(image) + " has no pixels to show");
+  const ImageSize part{std::min(image.width, Ma120::kSize.width),
+                       std::min(image.height, Ma120::kSize.height)};
+  if (part != image && oversize == Oversize::refuse)
+    throw FileError(name, 0,
+                    "an image of " + text(image) + " is larger than the MA120's screen of " +
+                        text(Ma120::kSize) + "; --crop shows the part at its centre");
+  const Area on_screen{(Ma120::kSize.width - part.width) / 2,
+                       (Ma120::kSize.height - part.height) / 2, part};
+  return {on_screen, (image.width - part.width) / 2, (image.height - part.height) / 2};
+}
+
+void load_lut(LutPorts& ports, const quant::Lut& lut) {
+  ports.write_address(0);
+  for (const quant::Code6& entry : lut.entry)
+    for (const std::uint8_t code : entry) ports.write_data(code);
+}
+
+std::uint8_t nearest_to_black(const quant::Lut& lut) {
+  const auto distance = [](const quant::Code6& entry) {
+    const Rgb8 seen = dac_colour(entry);
+    return seen.r * seen.r + seen.g * seen.g + seen.b * seen.b;
+  };
+  const auto nearest = std::min_element(
+      lut.entry.begin(), lut.entry.end(),
+      [&](const quant::Code6& a, const quant::Code6& b) { return distance(a) < distance(b); });
+  return static_cast<std::uint8_t>(nearest - lut.entry.begin());
+}
+
+Area show_image(Ma120& monitor, const IndexedImage& image, const quant::Lut& lut,
+                Oversize oversize) {
+  const Placement placement = place(image.name, image.size, oversize);
+  if (image.indices.size() != image.size.pixels())
+    throw std::invalid_argument("an image has one index for every pixel");
+  load_lut(monitor.lut_ports, lut);
+  monitor.lut_ports.write_pixel_mask(0xFF);
+  monitor.frame_buffer.set_write_mask(0xFF);
+
+  const Area& area = placement.on_screen;
+  const std::uint8_t border = nearest_to_black(lut);
+  std::array<std::uint8_t, FrameBuffer::kColumns> row;
+  for (int j = 0; j < FrameBuffer::kRows; ++j) {
+    row.fill(border);
+    if (j >= area.row && j < area.row + area.size.height) {
+      const int image_row = placement.image_row + j - area.row;
+      const auto first = image.indices.begin() + std::ptrdiff_t{image_row} * image.size.width +
+                         placement.image_column;
+      std::copy_n(first, area.size.width, row.begin() + area.column);
+    }
+    monitor.frame_buffer.write_row(0, j, row);
+  }
+  return area;
+}
+
+}  // namespace sir::eltek

@@ -1,0 +1,45 @@
+#include "eltek/ma120.h"
+
+#include <cstddef>
+
+#include "eltek/dac.h"
+
+namespace sir::eltek {
+
+void Ma120::scan_line(int row, std::span<Rgb8, FrameBuffer::kColumns> line) const {
+  std::array<std::uint8_t, FrameBuffer::kColumns> indices;
+  frame_buffer.read_row(0, row, indices);
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    line[i] = dac_colour(lut_ports.look_up(indices[i]));
+}
+
+Screen Ma120::scan_out() const {
+  Screen screen{kSize, std::vector<Rgb8>(kSize.pixels())};
+  for (int row = 0; row < kSize.height; ++row)
+    scan_line(row, std::span<Rgb8, FrameBuffer::kColumns>(
+                       &screen.pixels[screen.offset(0, row)], FrameBuffer::kColumns));
+  return screen;
+}
+
+IndexedScreen Ma120::capture() const {
+  IndexedScreen screen{kSize, std::vector<std::uint8_t>(kSize.pixels()), palette()};
+  for (int row = 0; row < kSize.height; ++row)
+    frame_buffer.read_row(0, row,
+                          std::span(screen.indices)
+                              .subspan(static_cast<std::size_t>(row) * FrameBuffer::kColumns,
+                                       FrameBuffer::kColumns));
+  for (auto& index : screen.indices) index &= lut_ports.pixel_mask();
+  return screen;
+}
+
+std::array<Rgb8, 256> Ma120::palette() const {
+  // Read past the mask, on a copy: reading through the ports moves them.
+  LutPorts ports = lut_ports;
+  ports.write_pixel_mask(0xFF);
+  std::array<Rgb8, 256> colours;
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    colours[i] = dac_colour(ports.look_up(static_cast<std::uint8_t>(i)));
+  return colours;
+}
+
+}  // namespace sir::eltek

@@ -1,0 +1,41 @@
+// The Eltek MA120, the laboratory's display (thesis 3.4).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "eltek/frame_buffer.h"
+#include "eltek/lut_ports.h"
+#include "eltek/screen.h"
+
+namespace sir::eltek {
+
+/// The device is its parts. A pixel passes through them in this order:
+///
+///   frame_buffer -> pixel mask -> LUT (both in lut_ports) -> dac -> Screen
+///
+/// The thesis says: 1024 x 780 pixels, 8 planes, 256 entries, 0..63 for each
+/// primary. How the parts are reached, a linear DAC and square pixels are our
+/// model. After power-on everything is 0 and both masks are open.
+class Ma120 {
+ public:
+  static constexpr ImageSize kSize{FrameBuffer::kColumns, FrameBuffer::kRows};
+
+  FrameBuffer frame_buffer;
+  LutPorts lut_ports;
+
+  /// Scans out one row, from the top: kSize.width colours as seen.
+  void scan_line(int row, std::span<Rgb8, FrameBuffer::kColumns> line) const;
+
+  /// Scans out the whole screen.
+  Screen scan_out() const;
+
+  /// The whole screen before the LUT, for captures that keep the LUT's order.
+  IndexedScreen capture() const;
+
+  /// The 256 entries as seen, whatever the pixel mask.
+  std::array<Rgb8, 256> palette() const;
+};
+
+}  // namespace sir::eltek
