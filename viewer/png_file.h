@@ -1,0 +1,34 @@
+// PNG files in and out: the only user of libpng. The thesis has no PNG; its
+// files of an image are those of section 3.6.4.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "eltek/screen.h"
+#include "tracer/planes.h"
+
+namespace sir::viewer {
+
+/// read_png refuses larger images: 100 million pixels.
+inline constexpr std::int64_t kMaxPngPixels = 100'000'000;
+
+/// Writes three planes as an RGB PNG of 8 bits a sample. The file says
+/// nothing about time or gamma, so equal planes give equal files.
+/// Throws FileError where the file cannot be written or the image is empty.
+void write_rgb_png(const std::filesystem::path& path, const Planes& planes);
+
+/// Writes a screen as an indexed PNG: all 256 entries in LUT order, equal ones
+/// included, as the bytes that are seen; sBIT says that 6 bits of each count.
+/// Throws as above.
+void write_indexed_png(const std::filesystem::path& path, const eltek::IndexedScreen& screen);
+
+/// Reads a PNG of any kind into planes. Sample values are taken as stored:
+/// gAMA, iCCP and sRGB are ignored. Palette entries and greys become RGB;
+/// 16 bits become 8, rounded; 1, 2 and 4 bits of grey are spread over 0..255.
+/// Throws FileError, with the reason in one line, for a file that is missing,
+/// empty, no PNG, damaged, cut off or larger than kMaxPngPixels, and for one
+/// with a pixel that is not fully opaque.
+Planes read_png(const std::filesystem::path& path);
+
+}  // namespace sir::viewer

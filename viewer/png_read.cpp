@@ -1,0 +1,176 @@
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tracer/error.h"
+#include "viewer/png_file.h"
+#include "viewer/png_guard.h"
+
+namespace sir::viewer {
+namespace {
+
+/// What the header tells, and the palette with its opacity (255: opaque).
+struct Header {
+  png_uint_32 width = 0, height = 0;
+  int colour_type = 0;
+  std::size_t samples = 0;  ///< a pixel's bytes as read: 1 palette index, 3 RGB or 4 RGBA
+  std::size_t entries = 0;
+  std::array<png_color, 256> palette{};
+  std::array<png_byte, 256> opacity{};
+};
+
+class PngReader {
+ public:
+  explicit PngReader(const std::filesystem::path& path)
+      : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
+    if (!file_) fail(std::string("cannot be read: ") + std::strerror(errno));
+    check_signature();
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reason_, on_png_error, on_png_warning);
+    if (png_ != nullptr) info_ = png_create_info_struct(png_);
+    if (info_ == nullptr) {
+      png_destroy_read_struct(&png_, nullptr, nullptr);
+      fail("cannot be read: out of memory");
+    }
+  }
+  ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+
+  Planes read() {
+    attempt([&] { read_header(); });
+    if (std::int64_t{header_.width} * header_.height > kMaxPngPixels)
+      fail("an image of " + std::to_string(header_.width) + "x" + std::to_string(header_.height) +
+           " is too large: at most " + std::to_string(kMaxPngPixels) + " pixels are read");
+    // Only now: this takes memory for rows.
+    attempt([&] { png_read_update_info(png_, info_); });
+    header_.samples = png_get_channels(png_, info_);
+    const std::size_t row_bytes = header_.width * header_.samples;
+    // Not zeroed: a forged header must not cost memory that no pixel fills.
+    pixels_ = std::make_unique_for_overwrite<png_byte[]>(row_bytes * header_.height);
+    // Interlaced rows come in several passes, each of which refines them all.
+    rows_.resize(header_.height);
+    for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j] = &pixels_[j * row_bytes];
+    attempt([&] {
+      png_read_image(png_, rows_.data());
+      png_read_end(png_, nullptr);
+    });
+    return to_planes();
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw FileError(path_.string(), 0, reason);
+  }
+
+  template <class Step>
+  void attempt(const Step& step) {
+    if (!png_succeeds(png_, step)) fail(std::string("is a damaged PNG file: ") + reason_.text);
+  }
+
+  void check_signature() {
+    std::array<png_byte, 8> signature;
+    const std::size_t count = std::fread(signature.data(), 1, signature.size(), file_.get());
+    if (std::ferror(file_.get()) != 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+    if (count == 0) fail("is empty");
+    if (count < signature.size() || png_sig_cmp(signature.data(), 0, signature.size()) != 0)
+      fail("is not a PNG file");
+  }
+
+  static void get(png_structp png, png_bytep bytes, std::size_t count) {
+    auto* file = static_cast<std::FILE*>(png_get_io_ptr(png));
+    if (std::fread(bytes, 1, count, file) != count) png_error(png, "the file ends too early");
+  }
+
+  // Runs under png_succeeds: owns nothing. The transformations yield 8 bits a
+  // sample; palette indices stay, because libpng would take one that the
+  // palette lacks for black.
+  void read_header() {
+    png_set_read_fn(png_, file_.get(), get);
+    png_set_sig_bytes(png_, 8);
+    png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+    png_read_info(png_, info_);
+    int bits = 0;
+    png_get_IHDR(png_, info_, &header_.width, &header_.height, &bits, &header_.colour_type,
+                 nullptr, nullptr, nullptr);
+    const bool transparency = png_get_valid(png_, info_, PNG_INFO_tRNS) != 0;
+    if (header_.colour_type == PNG_COLOR_TYPE_PALETTE) {
+      read_palette(transparency);
+      png_set_packing(png_);
+    } else {
+      png_set_expand_gray_1_2_4_to_8(png_);
+      if (transparency) png_set_tRNS_to_alpha(png_);
+      png_set_scale_16(png_);
+      png_set_gray_to_rgb(png_);
+    }
+    png_set_interlace_handling(png_);
+  }
+
+  void read_palette(bool transparency) {
+    png_colorp colours = nullptr;
+    int count = 0;
+    png_get_PLTE(png_, info_, &colours, &count);
+    header_.entries = static_cast<std::size_t>(count);
+    std::memcpy(header_.palette.data(), colours, header_.entries * sizeof *colours);
+    header_.opacity.fill(255);
+    png_bytep alpha = nullptr;
+    int alphas = 0;
+    if (transparency) png_get_tRNS(png_, info_, &alpha, &alphas, nullptr);
+    if (alpha != nullptr)
+      std::memcpy(header_.opacity.data(), alpha, static_cast<std::size_t>(alphas));
+  }
+
+  Planes to_planes() const {
+    Planes planes(ImageSize{static_cast<int>(header_.width), static_cast<int>(header_.height)});
+    const png_byte* sample = pixels_.get();
+    for (std::size_t i = 0; i < planes.size.pixels(); ++i, sample += header_.samples)
+      planes.set(i, header_.colour_type == PNG_COLOR_TYPE_PALETTE ? entry(*sample, i)
+                                                                  : colour(sample, i));
+    return planes;
+  }
+
+  Rgb8 entry(png_byte index, std::size_t pixel) const {
+    if (index >= header_.entries)
+      fail("is a damaged PNG file: the pixel at " + place(pixel) + " has index " +
+           std::to_string(index) + ", the palette " + std::to_string(header_.entries) + " entries");
+    require_opaque(header_.opacity[index], pixel);
+    const png_color& colour = header_.palette[index];
+    return {colour.red, colour.green, colour.blue};
+  }
+
+  Rgb8 colour(const png_byte* sample, std::size_t pixel) const {
+    if (header_.samples == 4) require_opaque(sample[3], pixel);
+    return {sample[0], sample[1], sample[2]};
+  }
+
+  void require_opaque(png_byte opacity, std::size_t pixel) const {
+    if (opacity != 255)
+      fail("has a transparent pixel at " + place(pixel) + ": only opaque images can be read");
+  }
+
+  std::string place(std::size_t pixel) const {
+    return "column " + std::to_string(pixel % header_.width) + ", row " +
+           std::to_string(pixel / header_.width);
+  }
+
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  PngReason reason_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  Header header_;
+  std::unique_ptr<png_byte[]> pixels_;
+  std::vector<png_bytep> rows_;
+};
+
+}  // namespace
+
+Planes read_png(const std::filesystem::path& path) { return PngReader(path).read(); }
+
+}  // namespace sir::viewer
