@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -22,20 +23,47 @@ std::filesystem::path temporary_beside(const std::filesystem::path& destination)
          "." + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
 }
 
+// Names of the temporary files there are, for remove_temporaries(). More files
+// than that are not open at once.
+std::array<std::atomic<const char*>, 16> temporaries;
+
+void remember(const char* name) {
+  for (auto& slot : temporaries)
+    if (const char* empty = nullptr; slot.compare_exchange_strong(empty, name)) return;
+}
+
+void forget(const char* name) {
+  for (auto& slot : temporaries)
+    if (const char* same = name; slot.compare_exchange_strong(same, nullptr)) return;
+}
+
+// What a chain of symbolic links leads to, be it there or not.
+std::filesystem::path followed(std::filesystem::path path) {
+  constexpr int kMostLinks = 40;  // as in the kernel
+  std::error_code failure;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, failure); ++i) {
+    auto target = std::filesystem::read_symlink(path, failure);
+    if (failure) break;
+    path = path.parent_path() / target;
+  }
+  return path;
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path destination)
-    : destination_(std::move(destination)) {
+    // A symbolic link keeps pointing where it points: its target is replaced.
+    : destination_(followed(std::move(destination))) {
   std::error_code ignored;
-  // A symbolic link keeps pointing where it points: its target is replaced.
-  if (std::filesystem::is_symlink(destination_, ignored)) {
-    auto target = std::filesystem::canonical(destination_, ignored);
-    if (!ignored) destination_ = std::move(target);
-  }
   const auto status = std::filesystem::status(destination_, ignored);
   const bool direct = std::filesystem::exists(status) &&
                       !std::filesystem::is_regular_file(status);
-  if (direct) {
+  // A rename would replace a file that is protected against writing.
+  const bool is_protected = std::filesystem::exists(status) &&
+                            ::faccessat(AT_FDCWD, destination_.c_str(), W_OK, AT_EACCESS) != 0;
+  if (is_protected) {
+    throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+  } else if (direct) {
     descriptor_ = ::open(destination_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
     temporary_ = temporary_beside(destination_);
@@ -43,6 +71,7 @@ AtomicFile::AtomicFile(std::filesystem::path destination)
   }
   if (descriptor_ < 0)
     throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+  if (!direct) remember(temporary_.c_str());
   // The permissions of a file that is replaced are kept.
   struct stat old {};
   if (!direct && ::stat(destination_.c_str(), &old) == 0)
@@ -51,7 +80,9 @@ AtomicFile::AtomicFile(std::filesystem::path destination)
 
 AtomicFile::~AtomicFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (temporary_.empty()) return;
+  ::unlink(temporary_.c_str());
+  forget(temporary_.c_str());
 }
 
 void AtomicFile::write(std::span<const std::byte> bytes) {
@@ -79,7 +110,13 @@ void AtomicFile::commit() {
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), destination_.c_str()) != 0)
     throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+  forget(temporary_.c_str());
   temporary_.clear();
+}
+
+void remove_temporaries() noexcept {
+  for (const auto& slot : temporaries)
+    if (const char* name = slot.load()) ::unlink(name);
 }
 
 void write_file_atomically(const std::filesystem::path& destination,

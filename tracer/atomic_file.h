@@ -34,6 +34,10 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
+/// Removes the temporary files of all AtomicFiles that are open: for a signal
+/// handler that ends the process at once, in which it may be called.
+void remove_temporaries() noexcept;
+
 /// Writes a whole file in one step.
 void write_file_atomically(const std::filesystem::path& destination,
                            std::span<const std::byte> bytes);

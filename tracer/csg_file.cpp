@@ -26,7 +26,7 @@ struct Reader {
   std::unordered_map<std::int64_t, std::size_t> index_of;
 
   std::string where(const CsgNode& node) const {
-    return "node " + std::to_string(node.number) + " \"" + node.name + "\": ";
+    return "node " + std::to_string(node.number) + " " + in_quotes(node.name) + ": ";
   }
 
   bool read_node_type(const CsgNode& node, const char* what) {
@@ -34,8 +34,7 @@ struct Reader {
     const auto word = fold_keyword(file.line());
     if (word == "composto") return true;
     if (word == "primitivo") return false;
-    file.fail(where(node) + what + ": COMPOSTO or PRIMITIVO expected, found \"" +
-              std::string(file.line()) + "\"");
+    file.fail(where(node) + what + ": COMPOSTO or PRIMITIVO expected, found " + in_quotes(file.line()));
   }
 
   void read_composite(CsgNode& node, std::array<ChildReference, 2>& child) {
@@ -45,8 +44,8 @@ struct Reader {
     else if (word == "diferenca") node.operation = Operation::difference;
     else if (word == "intersecao") node.operation = Operation::intersection;
     else
-      file.fail(where(node) + "unknown operation \"" + std::string(file.line()) +
-                "\" (UNIÃO, DIFERENÇA or INTERSEÇÃO)");
+      file.fail(where(node) + "unknown operation " + in_quotes(file.line()) +
+                " (UNIÃO, DIFERENÇA or INTERSEÇÃO)");
     child[0].composite = read_node_type(node, "type of the left node");
     child[1].composite = read_node_type(node, "type of the right node");
     child[0].number = file.read_count(where(node) + "number of the left node");
@@ -63,8 +62,8 @@ struct Reader {
     else if (word == "cone") node.kind = PrimitiveKind::cone;
     else if (word == "cilindro") node.kind = PrimitiveKind::cylinder;
     else
-      file.fail(where(node) + "unknown primitive \"" + std::string(file.line()) +
-                "\" (CUBO, ESFERA, CONE or CILINDRO)");
+      file.fail(where(node) + "unknown primitive " + in_quotes(file.line()) +
+                " (CUBO, ESFERA, CONE or CILINDRO)");
     read_surface_numbers(node);
     read_placement(node);
   }
@@ -80,8 +79,7 @@ struct Reader {
     for (std::size_t face = 0; face < faces; ++face) {
       const auto token = tokens[node.surface_per_face ? face : 0];
       if (!parse_count(token, node.surfaces[face]))
-        file.fail(where(node) + "surface number \"" + std::string(token) +
-                  "\" is not a non-negative integer");
+        file.fail(where(node) + "surface number " + in_quotes(token) + " is not a non-negative integer");
     }
   }
 
@@ -201,8 +199,8 @@ void check_surfaces(const CsgTree& tree, const std::vector<Surface>& surfaces,
       const auto number = node.surfaces[static_cast<std::size_t>(face)];
       if (!std::binary_search(known.begin(), known.end(), number))
         throw FileError(csg_name, node.line,
-                        "node " + std::to_string(node.number) + " \"" + node.name + "\": surface " +
-                            std::to_string(number) + " is not described in " + surfaces_name);
+                        "node " + std::to_string(node.number) + " " + in_quotes(node.name) +
+                            ": surface " + std::to_string(number) + " is not described in " + surfaces_name);
     }
   }
 }

@@ -42,11 +42,11 @@ std::vector<Surface> read_surfaces(TextFile& file) {
     file.expect("the name of surface " + std::to_string(surface.number));
     surface.name = file.line();
     const std::string where =
-        "surface " + std::to_string(surface.number) + " \"" + surface.name + "\": ";
+        "surface " + std::to_string(surface.number) + " " + in_quotes(surface.name) + ": ";
     file.expect(where + "the texture");
     const auto word = fold_keyword(file.line());
     if (word != "lisa" && word != "xadrez")
-      file.fail(where + "unknown texture \"" + std::string(file.line()) + "\" (LISA or XADREZ)");
+      file.fail(where + "unknown texture " + in_quotes(file.line()) + " (LISA or XADREZ)");
     surface.first = read_coefficients(file, where);
     if (word == "xadrez") {
       surface.texture = TextureKind::chequer;

@@ -51,15 +51,6 @@ std::string latin1_to_utf8(std::string_view text) {
   return result;
 }
 
-std::string quoted(std::string_view token) {
-  constexpr std::size_t kShown = 40;
-  if (token.size() <= kShown) return "\"" + std::string(token) + "\"";
-  // Cut between characters, so that the message stays valid UTF-8.
-  std::size_t end = kShown;
-  while (end > 0 && (static_cast<unsigned char>(token[end]) & 0xC0) == 0x80) --end;
-  return "\"" + std::string(token.substr(0, end)) + "...\"";
-}
-
 std::string read_all(const std::filesystem::path& path) {
   const std::string name = path.string();
   std::error_code ignored;
@@ -102,6 +93,26 @@ std::string fold_keyword(std::string_view text) {
   const std::unique_ptr<utf8proc_uint8_t, void (*)(void*)> owner(folded, std::free);
   if (length < 0) return std::string(text);
   return std::string(reinterpret_cast<const char*>(folded), static_cast<std::size_t>(length));
+}
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kShown = 40;
+  std::size_t end = text.size();
+  if (end > kShown) {
+    // Cut between characters, so that the message stays valid UTF-8.
+    end = kShown;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  }
+  std::string shown = "\"";
+  for (std::size_t i = 0; i < end; ++i) {
+    const auto code = static_cast<unsigned char>(text[i]);
+    // U+0080 to U+009F, two bytes long, are control characters too.
+    const bool high_control =
+        code == 0xC2 && i + 1 < end && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    shown += code < 0x20 || code == 0x7F || high_control ? '?' : text[i];
+    if (high_control) ++i;
+  }
+  return shown + (end < text.size() ? "...\"" : "\"");
 }
 
 bool parse_number(std::string_view token, double& value) {
@@ -151,8 +162,8 @@ TextFile::TextFile(std::string name, std::string text)
 
 void TextFile::settle_encoding() {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (!is_utf8(text_)) text_ = latin1_to_utf8(text_);
   if (text_.starts_with(kByteOrderMark)) text_.erase(0, kByteOrderMark.size());
+  if (!is_utf8(text_)) text_ = latin1_to_utf8(text_);
 }
 
 bool TextFile::next() {
@@ -186,7 +197,7 @@ std::vector<double> TextFile::numbers_here(std::string_view what) const {
   for (const auto token : split_tokens(line_)) {
     double value = 0;
     if (!parse_number(token, value))
-      fail(std::string(what) + ": " + quoted(token) + " is not a finite number");
+      fail(std::string(what) + ": " + in_quotes(token) + " is not a finite number");
     values.push_back(value);
   }
   return values;
@@ -205,7 +216,7 @@ std::int64_t TextFile::read_count(std::string_view what) {
   expect(what);
   std::int64_t value = 0;
   if (!parse_count(line_, value))
-    fail(std::string(what) + ": " + quoted(line_) + " is not a non-negative integer");
+    fail(std::string(what) + ": " + in_quotes(line_) + " is not a non-negative integer");
   return value;
 }
 

@@ -1,0 +1,18 @@
+// Ctrl-C: long work is asked to stop, so that it can leave nothing half done.
+#pragma once
+
+#include <stop_token>
+
+namespace sir::cli {
+
+/// Makes SIGINT and SIGTERM request a stop (a second one ends the program at
+/// once) and writing to a closed pipe an error instead of a signal.
+void install_signal_handlers();
+
+/// A token that is stopped by those signals.
+std::stop_token interruption();
+
+/// Whether one has arrived.
+bool interrupted();
+
+}  // namespace sir::cli

@@ -1,0 +1,80 @@
+#include "cli/option_values.h"
+
+#include <array>
+#include <charconv>
+#include <limits>
+
+#include "tracer/text_file.h"
+
+namespace sir::cli {
+namespace {
+
+// Whole non-negative numbers with one separator between them.
+template <std::size_t N>
+bool parse_integers(std::string_view text, char separator, std::array<int, N>& values) {
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto end = i + 1 < N ? text.find(separator) : text.size();
+    if (end == std::string_view::npos) return false;
+    std::int64_t value = 0;
+    if (!parse_count(text.substr(0, end), value) || value > std::numeric_limits<int>::max())
+      return false;
+    values[i] = static_cast<int>(value);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return true;
+}
+
+}  // namespace
+
+bool parse_size(std::string_view text, ImageSize& size) {
+  std::array<int, 2> v{};
+  if (!parse_integers(text, 'x', v) || v[0] < 1 || v[1] < 1) return false;
+  const ImageSize parsed{v[0], v[1]};
+  if (parsed.pixels() > kMaxPixels) return false;
+  size = parsed;
+  return true;
+}
+
+bool parse_region(std::string_view text, Region& region) {
+  std::array<int, 4> v{};
+  if (!parse_integers(text, ',', v) || v[2] < 1 || v[3] < 1) return false;
+  region = {v[0], v[1], v[2], v[3]};
+  return true;
+}
+
+bool parse_effects(std::string_view text, EffectSet& effects) {
+  EffectSet parsed;
+  if (text == "auto" || text == "all") {
+    parsed.exhaustive = text == "all";
+    effects = parsed;
+    return true;
+  }
+  for (const std::string& name : EffectSet::names()) *parsed.find(name) = false;
+  while (true) {
+    const auto end = std::min(text.find(','), text.size());
+    bool* member = parsed.find(text.substr(0, end));
+    if (!member) return false;
+    *member = true;
+    if (end == text.size()) break;
+    text.remove_prefix(end + 1);
+  }
+  effects = parsed;
+  return true;
+}
+
+std::string known_effects() {
+  std::string list;
+  for (const std::string& name : EffectSet::names()) list += (list.empty() ? "" : " ") + name;
+  return list;
+}
+
+std::filesystem::path scene_base(const std::filesystem::path& base) {
+  const std::string suffix = fold_keyword(base.extension().string());
+  std::error_code ignored;
+  const bool is_scene_file =
+      suffix == ".csg" || suffix == ".cam" || suffix == ".luz" || suffix == ".sup";
+  if (!is_scene_file || !std::filesystem::is_regular_file(base, ignored)) return base;
+  return std::filesystem::path(base).replace_extension();
+}
+
+}  // namespace sir::cli

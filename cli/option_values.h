@@ -1,0 +1,31 @@
+// Values of options that are more than a number.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "tracer/render.h"
+
+namespace sir::cli {
+
+/// Largest image that is rendered or read as planes: 2^28 pixels.
+inline constexpr std::size_t kMaxPixels = std::size_t{1} << 28;
+
+/// "WxH", both positive, at most kMaxPixels in all. The parsers return false,
+/// and leave the value alone, where the text is nothing of the kind.
+bool parse_size(std::string_view text, ImageSize& size);
+
+/// "X,Y,W,H" with X, Y >= 0 and W, H > 0.
+bool parse_region(std::string_view text, Region& region);
+
+/// "auto", "all", or the names of effects separated by commas.
+bool parse_effects(std::string_view text, EffectSet& effects);
+
+/// The names of the effects, for a help text.
+std::string known_effects();
+
+/// BASE as it was meant: a name of one of the four files gives its base.
+std::filesystem::path scene_base(const std::filesystem::path& base);
+
+}  // namespace sir::cli

@@ -1,0 +1,294 @@
+#include "cli/options.h"
+
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/hsv_command.h"
+#include "cli/interrupt.h"
+#include "cli/lut_command.h"
+#include "cli/option_values.h"
+#include "cli/planes_command.h"
+#include "cli/probe_command.h"
+#include "cli/render_command.h"
+#include "cli/scene_commands.h"
+#include "cli/session.h"
+#include "cli/show_command.h"
+#include "cli/table_command.h"
+#include "tracer/error.h"
+#include "tracer/text_file.h"
+
+namespace sir::cli {
+namespace {
+
+using Path = std::filesystem::path;
+
+// The action that the chosen subcommand leaves behind.
+using Action = std::function<int(const Session&)>;
+
+// Option values that the parser of option_values.h reads: an error names the
+// option and ends in kUsage.
+template <typename Value>
+CLI::Option* add_parsed(CLI::App* app, const std::string& name, Value& value,
+                        bool (*parse)(std::string_view, Value&), const std::string& expected,
+                        const std::string& help) {
+  return app
+      ->add_option_function<std::string>(
+          name,
+          [&value, parse, expected, name](const std::string& text) {
+            if (!parse(text, value))
+              throw CLI::ValidationError(name, fmt::format("\"{}\" is not {}", text, expected));
+          },
+          help)
+      ->type_name(expected);
+}
+
+template <typename Enum>
+CLI::Option* add_choice(CLI::App* app, const std::string& name, Enum& value,
+                        const std::map<std::string, Enum>& choices, const std::string& help) {
+  std::string names;
+  for (const auto& [text, unused] : choices) names += (names.empty() ? "" : "|") + text;
+  return app
+      ->add_option_function<std::string>(
+          name,
+          [&value, choices, names, name](const std::string& text) {
+            const auto found = choices.find(text);
+            if (found == choices.end())
+              throw CLI::ValidationError(name, fmt::format("\"{}\" is not one of {}", text, names));
+            value = found->second;
+          },
+          help)
+      ->type_name(names);
+}
+
+// A finite number from `least` to `most`; CLI11's own checks let "nan" pass.
+CLI::Option* add_number(CLI::App* app, const std::string& name, double& value, double least,
+                        double most, const std::string& help) {
+  return app
+      ->add_option_function<std::string>(
+          name,
+          [&value, least, most, name](const std::string& text) {
+            double number = 0;
+            if (!parse_number(text, number) || number < least || number > most)
+              throw CLI::ValidationError(
+                  name, most < std::numeric_limits<double>::max()
+                            ? fmt::format("\"{}\" is not a number from {} to {}", text, least, most)
+                            : fmt::format("\"{}\" is not a number >= {}", text, least));
+            value = number;
+          },
+          help)
+      ->type_name("X");
+}
+
+void add_size(CLI::App* app, ImageSize& size, const std::string& help) {
+  add_parsed(app, "--size", size, parse_size, "WxH", help);
+}
+
+void add_precision(CLI::App* app, Precision& precision) {
+  add_choice(app, "--precision", precision,
+             {{"double", Precision::double_}, {"float", Precision::float_}},
+             "scalar type of all tracing (double)");
+}
+
+void add_engine(CLI::App* app, Engine& engine) {
+  add_choice(app, "--engine", engine, {{"gates", Engine::gates}, {"roth", Engine::roth}},
+             "how boundaries are found: fast, or by the thesis's plain algorithm (gates)");
+}
+
+void add_tracing(CLI::App* app, RenderOptions& options) {
+  TraceOptions& trace = options.trace;
+  add_size(app, options.size, "image size (640x480)");
+  app->add_option("--depth", trace.depth_limit, "depth limit of the tree of rays (5)")
+      ->check(CLI::Range(1, 1'000'000))->type_name("N");
+  add_number(app, "--cutoff", trace.cutoff, 0, std::numeric_limits<double>::max(),
+             "least weight of a secondary ray (0)");
+  add_choice(app, "--past-limit", trace.past_limit,
+             {{"zero", PastLimit::zero}, {"background", PastLimit::background}},
+             "what rays past the depth limit see (zero)");
+  add_precision(app, options.precision);
+  add_parsed(app, "--effects", trace.allowed_effects, parse_effects, "auto|all|LIST",
+             "LIST: of " + known_effects() + ", separated by commas (auto)");
+  add_engine(app, trace.engine);
+}
+
+void add_render(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("render", "Render BASE's scene to planes and PNG");
+  const auto command = std::make_shared<RenderCommand>();
+  sub->add_option("BASE", command->base, "BASE.CSG, BASE.CAM, BASE.LUZ, BASE.SUP")->required();
+  sub->add_option("--out", command->out, "folder of the outputs (beside BASE)")->type_name("DIR");
+  add_tracing(sub, command->options);
+  sub->add_option("--threads", command->options.threads, "threads (as many as cores)")
+      ->check(CLI::Range(1, 4096))->type_name("N");
+  add_parsed(sub, "--region", command->options.region, parse_region, "X,Y,W,H",
+             "render this rectangle of the image alone; the outputs hold nothing else");
+  sub->add_flag("--no-png{false}", command->png, "write the planes only");
+  sub->add_flag("--stats", command->stats, "print counts and times as JSON");
+  sub->callback([&action, command] {
+    const Region& r = command->options.region;
+    const ImageSize size = command->options.size;
+    if (r.x + std::int64_t{r.width} > size.width || r.y + std::int64_t{r.height} > size.height)
+      throw CLI::ValidationError("--region", fmt::format("does not lie within {}x{}", size.width,
+                                                         size.height));
+    command->base = scene_base(command->base);
+    action = [command](const Session& session) { return run_render(*command, session); };
+  });
+}
+
+void add_probe(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand(
+      "probe", "Where rays cross BASE's solid: lines `ox oy oz dx dy dz` in, JSON lines out");
+  const auto command = std::make_shared<ProbeCommand>();
+  sub->add_option("BASE", command->base, "the scene")->required();
+  add_precision(sub, command->precision);
+  add_engine(sub, command->engine);
+  sub->callback([&action, command] {
+    command->base = scene_base(command->base);
+    action = [command](const Session& session) {
+      const int code = run_probe(*command, std::cin, session);
+      // A stream takes an error for the end; standard input's own flag tells.
+      if (std::ferror(stdin) != 0 && !interrupted())
+        throw FileError("standard input", 0, "cannot be read");
+      return code;
+    };
+  });
+}
+
+void add_check(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("check", "Say what is wrong with BASE's files, or what they hold");
+  const auto base = std::make_shared<Path>();
+  sub->add_option("BASE", *base, "the scene")->required();
+  sub->callback([&action, base] {
+    action = [base](const Session& session) { return run_check(scene_base(*base), session); };
+  });
+}
+
+void add_trace(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("trace", "The tree of a pixel's rays and surfaces");
+  const auto command = std::make_shared<TraceCommand>();
+  sub->add_option("BASE", command->base, "the scene")->required();
+  sub->add_option("I", command->i, "column of the pixel, from 0 at the left")->required();
+  sub->add_option("J", command->j, "row of the pixel, from 0 at the top")->required();
+  add_tracing(sub, command->options);
+  sub->callback([&action, command] {
+    const ImageSize size = command->options.size;
+    if (command->i < 0 || command->i >= size.width || command->j < 0 || command->j >= size.height)
+      throw CLI::ValidationError("I J", fmt::format("the pixel does not lie within {}x{}",
+                                                    size.width, size.height));
+    command->base = scene_base(command->base);
+    action = [command](const Session& session) { return run_trace(*command, session); };
+  });
+}
+
+void add_lut(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("lut", "Choose the 256 colours of an image and write BASE.LUT");
+  const auto options = std::make_shared<LutOptions>();
+  sub->add_option("IMAGE", options->input, "BASE (planes) or FILE.png")->required();
+  quant::ChooseOptions& choice = options->choice;
+  add_choice(sub, "--method", choice.method,
+             {{"frequency", quant::Method::frequency}, {"median", quant::Method::median}},
+             "how colours are chosen (median)");
+  add_choice(sub, "--space", choice.space,
+             {{"rgb", quant::Space::rgb}, {"hsv", quant::Space::hsv}},
+             "grid that colours are counted in (hsv)");
+  add_choice(sub, "--split", choice.split,
+             {{"pixels", quant::SplitOrder::pixels}, {"breadth", quant::SplitOrder::breadth},
+              {"longest", quant::SplitOrder::longest}},
+             "median: which box is split next (pixels)");
+  add_number(sub, "--grey-s", choice.grid.grey_s, 0, 1,
+             "hsv: saturations up to this are grey (0.2)");
+  add_number(sub, "--grey-v", choice.grid.grey_v, 0, 1, "hsv: values up to this are grey (0.2)");
+  add_parsed(sub, "--grid", choice.grid, quant::parse_grid, "HxSxV", "hsv: the grid (36x30x30)");
+  sub->add_option("--sample", choice.sample, "count every Nth pixel only (1)")
+      ->check(CLI::PositiveNumber)->type_name("N");
+  add_size(sub, options->size, "size of the planes (640x480)");
+  sub->add_option("-o", options->output, "the LUT's file (BASE.LUT)")->type_name("FILE.LUT");
+  sub->add_flag("--json", options->json, "print JSON");
+  sub->callback([&action, options] {
+    action = [options](const Session& session) { return run_lut(*options, session); };
+  });
+}
+
+void add_show(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("show", "Show images on the MA120's screen");
+  const auto options = std::make_shared<ShowOptions>();
+  sub->add_option("IMAGE", options->inputs, "BASE (planes) or FILE.png; several in a window")
+      ->required();
+  sub->add_option("--lut", options->lut, "the LUT (BASE.LUT, else median in hsv)")->type_name("FILE");
+  sub->add_option("--png", options->png, "write the screen as indexed PNG, open no window")
+      ->type_name("OUT.png");
+  sub->add_flag("--crop", options->crop, "the image's area alone; also admits larger images");
+  add_size(sub, options->size, "size of the planes (640x480)");
+  sub->callback([&action, options] {
+    if (options->png && options->inputs.size() > 1)
+      throw CLI::ValidationError("--png", "takes one image");
+    action = [options](const Session& session) { return run_show(*options, session); };
+  });
+}
+
+void add_planes(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("planes", "Planes to PNG (BASE), or back (FILE.png)");
+  const auto options = std::make_shared<PlanesOptions>();
+  sub->add_option("IMAGE", options->input, "BASE (planes) or FILE.png")->required();
+  sub->add_option("-o", options->output, "the PNG's file, or the planes' base name")->type_name("FILE");
+  sub->add_option("--out", options->folder, "folder of the outputs")->type_name("DIR");
+  add_size(sub, options->size, "size of the planes (640x480)");
+  sub->callback([&action, options] {
+    action = [options](const Session& session) { return run_planes(*options, session); };
+  });
+}
+
+void add_table(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("table", "Table 4.1 on the five images, the thesis's beside it");
+  const auto command = std::make_shared<TableCommand>();
+  sub->add_option("--images", command->images, "folder of the five scenes")->type_name("DIR");
+  sub->add_option("--planes", command->planes, "folder of their planes, to save rendering them")
+      ->type_name("DIR");
+  sub->add_option("--repeats", command->repeats, "timed runs (5)")->check(CLI::Range(1, 1000));
+  sub->add_flag("--json", command->json, "print JSON");
+  sub->callback([&action, command] {
+    action = [command](const Session& session) { return run_table(*command, session); };
+  });
+}
+
+void add_hsv(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("hsv", "Bytes `r g b` in, one a line; their place in the HSV grid out");
+  sub->callback([&action] {
+    action = [](const Session& session) { return run_hsv(stdin, session); };
+  });
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  CLI::App app("SIR: CSG scenes, 256-entry lookup tables and the Eltek MA120 of 1989.", "sir");
+  Session session;
+  Action action;
+  app.set_version_flag("--version", "sir " SIR_VERSION);
+  app.add_flag("-q", session.quiet, "say nothing but errors");
+  app.add_flag("-v", session.verbose, "say more");
+  app.require_subcommand(1);
+  add_render(app, action);
+  add_lut(app, action);
+  add_show(app, action);
+  add_table(app, action);
+  add_check(app, action);
+  add_trace(app, action);
+  add_probe(app, action);
+  add_hsv(app, action);
+  add_planes(app, action);
+  for (CLI::App* sub : app.get_subcommands([](CLI::App*) { return true; })) sub->fallthrough();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, std::cout, std::cerr) == 0 ? kDone : kUsage;
+  }
+  return action(session);
+}
+
+}  // namespace sir::cli

@@ -1,0 +1,22 @@
+// `sir probe`: rays on standard input, their boundaries on standard output.
+#pragma once
+
+#include <filesystem>
+#include <istream>
+
+#include "cli/session.h"
+#include "tracer/render.h"
+
+namespace sir::cli {
+
+struct ProbeCommand {
+  std::filesystem::path base;
+  Precision precision = Precision::double_;
+  Engine engine = Engine::gates;
+};
+
+/// One JSON line for each line `ox oy oz dx dy dz`; a bad line gives an error
+/// object in its place and exit code 1 at the end. Blank lines are passed over.
+int run_probe(const ProbeCommand& command, std::istream& in, const Session& session);
+
+}  // namespace sir::cli

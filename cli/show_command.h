@@ -1,0 +1,27 @@
+// sir show: images on the MA120's screen (thesis 3.5).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "cli/session.h"
+#include "tracer/planes.h"
+
+namespace sir::cli {
+
+struct ShowOptions {
+  std::vector<std::filesystem::path> inputs;  ///< base names or PNG files; at least one
+  std::optional<std::filesystem::path> lut;   ///< for all inputs
+  std::optional<std::filesystem::path> png;   ///< write this file, open no window
+  ImageSize size;                             ///< of planes
+  bool crop = false;                          ///< the image's area alone
+};
+
+/// Shows the images in a window, or writes the screen with the one image as
+/// an indexed PNG. Without `lut` an image takes BASE.LUT where that exists,
+/// else one is chosen by median in hsv and a note says so. Returns an exit
+/// code; throws FileError.
+int run_show(const ShowOptions& options, const Session& session);
+
+}  // namespace sir::cli
