@@ -6,7 +6,8 @@
 namespace sir::cli {
 
 /// Makes SIGINT and SIGTERM request a stop (a second one ends the program at
-/// once) and writing to a closed pipe an error instead of a signal.
+/// once, its temporary files removed) and writing to a closed pipe an error
+/// instead of a signal.
 void install_signal_handlers();
 
 /// A token that is stopped by those signals.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -127,7 +128,7 @@ void add_render(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 4096))->type_name("N");
   add_parsed(sub, "--region", command->options.region, parse_region, "X,Y,W,H",
              "render this rectangle of the image alone; the outputs hold nothing else");
-  sub->add_flag("--no-png{false}", command->png, "write the planes only");
+  sub->add_flag_callback("--no-png", [command] { command->png = false; }, "write the planes only");
   sub->add_flag("--stats", command->stats, "print counts and times as JSON");
   sub->callback([&action, command] {
     const Region& r = command->options.region;
@@ -286,7 +287,18 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, std::cout, std::cerr) == 0 ? kDone : kUsage;
+    const bool is_answer = error.get_exit_code() == 0;  // --help, --version
+    // CLI11 would only say that a subcommand is required.
+    if (!is_answer && app.get_subcommands().empty() && !app.remaining().empty()) {
+      std::cerr << "there is no command or option " << app.remaining().front()
+                << "\nRun with --help for more information.\n";
+      return kUsage;
+    }
+    // Not to std::cout: CLI11 flushes it, and a full disk would go unnoticed.
+    std::ostringstream out;
+    app.exit(error, out, std::cerr);
+    print(out.str());
+    return is_answer ? kDone : kUsage;
   }
   return action(session);
 }

@@ -6,7 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
-#include <functional>
+#include <fstream>
 #include <vector>
 
 #include <fmt/format.h>
@@ -83,7 +83,10 @@ double run_once(const fs::path& planes, quant::Space space, const fs::path& lut_
   const auto start = std::chrono::steady_clock::now();
   quant::ChooseOptions choice;
   choice.space = space;
-  quant::write_lut(lut_file, quant::choose_lut(read_planes(planes, ImageSize{}), choice));
+  const quant::Lut lut = quant::choose_lut(read_planes(planes, ImageSize{}), choice);
+  // Not by write_lut(): waiting for the disk to be sure of a file that nobody
+  // keeps would drown everything else.
+  std::ofstream(lut_file) << quant::lut_text(lut) << std::flush;
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 

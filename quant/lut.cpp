@@ -20,8 +20,7 @@ Code6 read_entry(const TextFile& file, const std::string& what) {
   for (std::size_t i = 0; i < 3; ++i) {
     std::int64_t level = 0;
     if (!parse_count(words[i], level) || level > kMaxCode)
-      file.fail(what + ": \"" + std::string(words[i].substr(0, 20)) +
-                "\" is not an integer from 0 to 63");
+      file.fail(what + ": " + in_quotes(words[i]) + " is not an integer from 0 to 63");
     entry[i] = static_cast<std::uint8_t>(level);
   }
   return entry;
@@ -39,12 +38,16 @@ Lut make_lut(std::span<const Code6> colours) {
   return lut;
 }
 
-void write_lut(const std::filesystem::path& path, const Lut& lut) {
+std::string lut_text(const Lut& lut) {
   std::string text;
   for (const Code6& entry : lut.entry)
     text += std::to_string(entry[0]) + " " + std::to_string(entry[1]) + " " +
             std::to_string(entry[2]) + "\n";
-  write_file_atomically(path, text);
+  return text;
+}
+
+void write_lut(const std::filesystem::path& path, const Lut& lut) {
+  write_file_atomically(path, lut_text(lut));
 }
 
 Lut read_lut(const std::filesystem::path& path) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "quant/dac_code.h"
 
@@ -26,7 +27,10 @@ struct Lut {
 /// for another number of them.
 Lut make_lut(std::span<const Code6> colours);
 
-/// Writes 256 lines `r g b`, 0 to 63. Throws FileError.
+/// The file's text: 256 lines `r g b`, 0 to 63.
+std::string lut_text(const Lut& lut);
+
+/// Writes lut_text(). Throws FileError.
 void write_lut(const std::filesystem::path& path, const Lut& lut);
 
 /// Reads what write_lut writes; `chosen` ends where the last entry's

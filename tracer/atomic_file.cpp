@@ -54,16 +54,16 @@ std::filesystem::path followed(std::filesystem::path path) {
 AtomicFile::AtomicFile(std::filesystem::path destination)
     // A symbolic link keeps pointing where it points: its target is replaced.
     : destination_(followed(std::move(destination))) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(destination_, ignored);
-  const bool direct = std::filesystem::exists(status) &&
-                      !std::filesystem::is_regular_file(status);
+  std::error_code failure;
+  const auto status = std::filesystem::status(destination_, failure);
+  if (status.type() == std::filesystem::file_type::none)
+    throw FileError(destination_.string(), 0, "cannot be written: " + failure.message());
+  const bool exists = std::filesystem::exists(status);
   // A rename would replace a file that is protected against writing.
-  const bool is_protected = std::filesystem::exists(status) &&
-                            ::faccessat(AT_FDCWD, destination_.c_str(), W_OK, AT_EACCESS) != 0;
-  if (is_protected) {
+  if (exists && ::faccessat(AT_FDCWD, destination_.c_str(), W_OK, AT_EACCESS) != 0)
     throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
-  } else if (direct) {
+  const bool direct = exists && !std::filesystem::is_regular_file(status);
+  if (direct) {
     descriptor_ = ::open(destination_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
     temporary_ = temporary_beside(destination_);

@@ -34,7 +34,8 @@ struct Reader {
     const auto word = fold_keyword(file.line());
     if (word == "composto") return true;
     if (word == "primitivo") return false;
-    file.fail(where(node) + what + ": COMPOSTO or PRIMITIVO expected, found " + in_quotes(file.line()));
+    file.fail(where(node) + what + ": COMPOSTO or PRIMITIVO expected, found " +
+              in_quotes(file.line()));
   }
 
   void read_composite(CsgNode& node, std::array<ChildReference, 2>& child) {
@@ -79,7 +80,8 @@ struct Reader {
     for (std::size_t face = 0; face < faces; ++face) {
       const auto token = tokens[node.surface_per_face ? face : 0];
       if (!parse_count(token, node.surfaces[face]))
-        file.fail(where(node) + "surface number " + in_quotes(token) + " is not a non-negative integer");
+        file.fail(where(node) + "surface number " + in_quotes(token) +
+                  " is not a non-negative integer");
     }
   }
 
@@ -200,7 +202,8 @@ void check_surfaces(const CsgTree& tree, const std::vector<Surface>& surfaces,
       if (!std::binary_search(known.begin(), known.end(), number))
         throw FileError(csg_name, node.line,
                         "node " + std::to_string(node.number) + " " + in_quotes(node.name) +
-                            ": surface " + std::to_string(number) + " is not described in " + surfaces_name);
+                            ": surface " + std::to_string(number) + " is not described in " +
+                            surfaces_name);
     }
   }
 }

@@ -21,7 +21,7 @@ class FileError : public std::runtime_error {
  private:
   static std::string format(std::string_view file, std::size_t line,
                             std::string_view reason) {
-    std::string text(file);
+    std::string text(file.empty() ? "(empty name)" : file);
     if (line > 0) text += ":" + std::to_string(line);
     return text.append(": ").append(reason);
   }

@@ -73,17 +73,26 @@ TextureUv<T> texture_uv(PrimitiveKind kind, int face, PointLocal<T> p) {
 template <typename T>
 bool on_face(PrimitiveKind kind, int face, PointLocal<T> p, T tolerance) {
   const T x = p.v.x, y = p.v.y, z = p.v.z;
+  const auto near = [&](T a, T b) { return std::abs(a - b) <= tolerance; };
+  const auto within = [&](T a) { return a >= -tolerance && a <= 1 + tolerance; };
   switch (kind) {
-    case PrimitiveKind::cube:
-      return std::abs(p.v[face / 2] - T(face % 2)) <= tolerance;
+    case PrimitiveKind::cube: {
+      const int axis = face / 2;
+      return near(p.v[axis], T(face % 2)) && within(p.v[(axis + 1) % 3]) &&
+             within(p.v[(axis + 2) % 3]);
+    }
     case PrimitiveKind::sphere:
-      return std::abs(std::sqrt(x * x + y * y + z * z) - T(1)) <= tolerance;
-    case PrimitiveKind::cone:
-      if (face == kConeSide) return std::abs(std::sqrt(x * x + z * z) - (T(1) - y)) <= tolerance;
-      return std::abs(y) <= tolerance;
-    case PrimitiveKind::cylinder:
-      if (face == kCylinderSide) return std::abs(std::sqrt(x * x + z * z) - T(1)) <= tolerance;
-      return std::abs(y - T(face)) <= tolerance;  // Y=0 is face 0, Y=1 face 1
+      return near(std::sqrt(x * x + y * y + z * z), T(1));
+    case PrimitiveKind::cone: {
+      const T radius = std::sqrt(x * x + z * z);
+      return face == kConeSide ? near(radius, T(1) - y) && within(y) : near(y, T(0)) && within(radius);
+    }
+    case PrimitiveKind::cylinder: {
+      const T radius = std::sqrt(x * x + z * z);
+      // Face 0 is the cap Y=0, face 1 the cap Y=1.
+      return face == kCylinderSide ? near(radius, T(1)) && within(y)
+                                   : near(y, T(face)) && within(radius);
+    }
   }
   return false;
 }

@@ -24,8 +24,8 @@ NormalLocal<T> outward_normal(PrimitiveKind kind, int face, PointLocal<T> p);
 template <typename T>
 TextureUv<T> texture_uv(PrimitiveKind kind, int face, PointLocal<T> p);
 
-/// Whether p lies on the surface that carries the face (its plane or quadric,
-/// without limits), to within the distance `tolerance` >= 0.
+/// Whether p lies on the face, within its limits, to within the distance
+/// `tolerance` >= 0 in SC_LOCAL.
 template <typename T>
 bool on_face(PrimitiveKind kind, int face, PointLocal<T> p, T tolerance);
 

@@ -1,0 +1,139 @@
+#include "eltek/ma120.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "eltek/dac.h"
+
+namespace sir::eltek {
+namespace {
+
+constexpr int kWidth = 1024, kHeight = 780;
+
+std::uint8_t pattern(int column, int row) {
+  return static_cast<std::uint8_t>(column * 7 + row * 13 + column * row / 50);
+}
+
+quant::Code6 entry(int index) {
+  const auto code = [](int value) { return static_cast<std::uint8_t>(value % 64); };
+  return {code(index), code(index * 5 + 1), code(63 * 256 - index * 3)};
+}
+
+Ma120 with_pattern() {
+  Ma120 monitor;
+  monitor.lut_ports.write_address(0);
+  for (int i = 0; i < 256; ++i)
+    for (const std::uint8_t code : entry(i)) monitor.lut_ports.write_data(code);
+  for (int row = 0; row < kHeight; ++row)
+    for (int column = 0; column < kWidth; ++column)
+      monitor.frame_buffer.write(column, row, pattern(column, row));
+  return monitor;
+}
+
+TEST(Ma120, HasTheThesisNumbers) {
+  EXPECT_EQ(Ma120::kSize, (ImageSize{1024, 780}));
+  EXPECT_EQ(FrameBuffer::kPlanes, 8);
+  EXPECT_EQ(Ma120().palette().size(), 256u);
+}
+
+TEST(Ma120, IsBlackAfterPowerOn) {
+  const Screen screen = Ma120().scan_out();
+  EXPECT_EQ(screen.size, Ma120::kSize);
+  ASSERT_EQ(screen.pixels.size(), Ma120::kSize.pixels());
+  for (const Rgb8 pixel : screen.pixels) ASSERT_EQ(pixel, Rgb8{});
+}
+
+TEST(Ma120, ScansOutEveryPixelThroughLutAndDac) {
+  const Screen screen = with_pattern().scan_out();
+  for (int row = 0; row < kHeight; ++row)
+    for (int column = 0; column < kWidth; ++column)
+      ASSERT_EQ(screen.at(column, row), dac_colour(entry(pattern(column, row))))
+          << column << "," << row;
+}
+
+// A golden value of the whole path: FNV-1a over the bytes of the screen.
+TEST(Ma120, ScanoutOfTheKnownPatternKeepsItsHash) {
+  std::uint64_t hash = 0xCBF29CE484222325u;
+  for (const Rgb8 pixel : with_pattern().scan_out().pixels)
+    for (const std::uint8_t byte : {pixel.r, pixel.g, pixel.b})
+      hash = (hash ^ byte) * 0x100000001B3u;
+  EXPECT_EQ(hash, 0x20C21E1AD2563DBDu);
+}
+
+TEST(Ma120, ALineIsARowOfTheScreen) {
+  const Ma120 monitor = with_pattern();
+  const Screen screen = monitor.scan_out();
+  std::array<Rgb8, kWidth> line;
+  for (const int row : {0, 1, 400, 779}) {
+    monitor.scan_line(row, line);
+    for (int column = 0; column < kWidth; ++column)
+      ASSERT_EQ(line[static_cast<std::size_t>(column)], screen.at(column, row));
+  }
+  EXPECT_THROW(monitor.scan_line(780, line), std::out_of_range);
+}
+
+TEST(Ma120, ALutWriteShowsAtTheNextScan) {
+  Ma120 monitor = with_pattern();
+  monitor.lut_ports.write_address(pattern(5, 5));
+  for (const int code : {63, 0, 63}) monitor.lut_ports.write_data(static_cast<std::uint8_t>(code));
+  EXPECT_EQ(monitor.scan_out().at(5, 5), (Rgb8{255, 0, 255}));
+}
+
+TEST(Ma120, PixelMaskActsOnTheWayOut) {
+  Ma120 monitor = with_pattern();
+  const Screen before = monitor.scan_out();
+  monitor.lut_ports.write_pixel_mask(0b11110000);
+  const Screen masked = monitor.scan_out();
+  for (int row = 0; row < kHeight; row += 7)
+    for (int column = 0; column < kWidth; ++column)
+      ASSERT_EQ(masked.at(column, row), dac_colour(entry(pattern(column, row) & 0xF0)));
+  monitor.lut_ports.write_pixel_mask(0xFF);
+  EXPECT_EQ(monitor.scan_out(), before);  // the planes kept their bits
+}
+
+TEST(Ma120, CaptureIsTheScreenBeforeTheLut) {
+  Ma120 monitor = with_pattern();
+  monitor.lut_ports.write_pixel_mask(0x7F);
+  const IndexedScreen capture = monitor.capture();
+  const Screen screen = monitor.scan_out();
+  EXPECT_EQ(capture.palette[200], dac_colour(entry(200)));  // whatever the mask
+  ASSERT_EQ(capture.indices.size(), screen.pixels.size());
+  for (std::size_t i = 0; i < screen.pixels.size(); ++i) {
+    ASSERT_LT(capture.indices[i], 0x80);
+    ASSERT_EQ(capture.palette[capture.indices[i]], screen.pixels[i]);
+  }
+}
+
+TEST(Screen, CropTakesTheArea) {
+  const Ma120 monitor = with_pattern();
+  const Area area{1000, 700, {24, 80}};
+  const Screen whole = monitor.scan_out(), part = crop(whole, area);
+  const IndexedScreen indexed = crop(monitor.capture(), area);
+  EXPECT_EQ(part.size, area.size);
+  ASSERT_EQ(part.pixels.size(), 24u * 80u);
+  for (int row = 0; row < 80; ++row)
+    for (int column = 0; column < 24; ++column) {
+      ASSERT_EQ(part.at(column, row), whole.at(1000 + column, 700 + row));
+      ASSERT_EQ(indexed.indices[part.offset(column, row)], pattern(1000 + column, 700 + row));
+    }
+  EXPECT_EQ(crop(whole, {0, 0, Ma120::kSize}), whole);
+}
+
+TEST(Screen, CropStaysOnTheScreen) {
+  const Screen whole = Ma120().scan_out();
+  for (const Area& area : {Area{-1, 0, {5, 5}}, Area{0, -1, {5, 5}}, Area{1020, 0, {5, 5}},
+                           Area{0, 776, {5, 5}}, Area{0, 0, {-1, 5}}})
+    EXPECT_THROW(crop(whole, area), std::out_of_range);
+}
+
+TEST(Screen, SplitsIntoPlanes) {
+  const Screen screen{{2, 1}, {{1, 2, 3}, {4, 5, 6}}};
+  const Planes planes = to_planes(screen);
+  EXPECT_EQ(planes.size, (ImageSize{2, 1}));
+  EXPECT_EQ(planes.at(0), (Rgb8{1, 2, 3}));
+  EXPECT_EQ(planes.at(1), (Rgb8{4, 5, 6}));
+}
+
+}  // namespace
+}  // namespace sir::eltek

@@ -1,0 +1,143 @@
+// The fast search equals the exhaustive one, index for index.
+#include "quant/nearest.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "quant/choose.h"
+
+namespace sir::quant {
+namespace {
+
+/// The contract's sentence, once more.
+int by_definition(Rgb8 c, const Lut& lut) {
+  int best = -1, least = 0;
+  for (int i = 255; i >= 0; --i) {
+    const Rgb8 e = seen(lut.entry[static_cast<std::size_t>(i)]);
+    const int d = (e.r - c.r) * (e.r - c.r) + (e.g - c.g) * (e.g - c.g) + (e.b - c.b) * (e.b - c.b);
+    if (best < 0 || d <= least) {
+      best = i;
+      least = d;
+    }
+  }
+  return best;
+}
+
+/// Codes of `levels` neighbouring levels; low = kAnywhere puts them anywhere.
+constexpr unsigned kAnywhere = 64;
+Lut random_lut(std::mt19937& random, std::size_t colours, unsigned low, unsigned levels) {
+  std::vector<Code6> codes(colours);
+  if (low == kAnywhere) low = static_cast<unsigned>(random()) % (65 - levels);
+  for (Code6& code : codes)
+    for (auto& level : code) level = static_cast<std::uint8_t>(low + random() % levels);
+  return make_lut(codes);
+}
+
+Planes noise(unsigned seed, unsigned low = 0, unsigned levels = 256) {
+  std::mt19937 random(seed);
+  Planes image(ImageSize{128, 96});
+  for (auto& plane : image.channel)
+    for (auto& byte : plane) byte = static_cast<std::uint8_t>(low + random() % levels);
+  return image;
+}
+
+Planes ramps() {
+  Planes image(ImageSize{256, 64});
+  for (std::size_t i = 0; i < image.size.pixels(); ++i)
+    image.set(i, {static_cast<std::uint8_t>(i % 256), static_cast<std::uint8_t>(i / 256 * 4),
+                  static_cast<std::uint8_t>(255 - i % 256 / 2)});
+  return image;
+}
+
+void expect_all_equal(const Planes& image, const Lut& lut) {
+  const auto fast = map_to_lut(image, lut);
+  ASSERT_EQ(fast.size(), image.size.pixels());
+  ASSERT_EQ(fast, map_exhaustively(image, lut));
+  for (std::size_t i = 0; i < fast.size(); ++i) ASSERT_EQ(fast[i], by_definition(image.at(i), lut));
+}
+
+TEST(NearestEntry, TiesTakeTheLowestIndex) {
+  // Codes 0 and 2 are seen as 0 and 8; grey 4 lies half way.
+  const Lut lut = make_lut(std::vector<Code6>{{63, 63, 63}, {2, 2, 2}, {0, 0, 0}, {0, 0, 0}});
+  EXPECT_EQ(nearest_entry({4, 4, 4}, lut), 1);
+  EXPECT_EQ(nearest_entry({3, 4, 4}, lut), 2);
+  EXPECT_EQ(nearest_entry({5, 4, 4}, lut), 1);
+  EXPECT_EQ(nearest_entry({0, 0, 0}, lut), 2);
+  Planes image(ImageSize{1, 1});
+  image.set(0, {4, 4, 4});
+  EXPECT_EQ(map_to_lut(image, lut), std::vector<std::uint8_t>{1});
+}
+
+TEST(NearestSearch, KeepsACandidateThatIsNearestOnlyAtACorner) {
+  // Seen as 8 and 24: equally far from 16, the corner of a cube in which 24
+  // is nearer to everything else.
+  const Lut lut = make_lut(std::vector<Code6>{{2, 2, 2}, {6, 6, 6}});
+  EXPECT_EQ(NearestSearch(lut)({17, 16, 16}), 1);
+  EXPECT_EQ(NearestSearch(lut)({16, 16, 16}), 0);
+}
+
+TEST(NearestEntry, AnExactColourMapsToItself) {
+  std::mt19937 random(11);
+  const Lut lut = random_lut(random, 256, 0, 64);
+  NearestSearch search(lut);
+  for (std::size_t i = 0; i < 256; ++i) {
+    const std::size_t found = nearest_entry(seen(lut.entry[i]), lut);
+    EXPECT_LE(found, i);
+    EXPECT_EQ(lut.entry[found], lut.entry[i]);
+    EXPECT_EQ(search(seen(lut.entry[i])), found);
+  }
+}
+
+TEST(MapToLut, EqualsTheDefinitionOnChosenLuts) {
+  for (const Planes& image : {noise(1), noise(2, 100, 3), noise(3, 0, 60), ramps()})
+    for (const Space space : {Space::rgb, Space::hsv})
+      for (const Method method : {Method::frequency, Method::median}) {
+        ChooseOptions options;
+        options.space = space;
+        options.method = method;
+        expect_all_equal(image, choose_lut(image, options));
+      }
+}
+
+TEST(MapToLut, EqualsTheDefinitionOnAnyLut) {
+  std::mt19937 random(12);
+  const Planes pictures[] = {noise(4), ramps()};
+  for (const std::size_t colours : {1, 2, 5, 100, 256})
+    for (const unsigned levels : {1u, 2u, 4u, 64u})
+      for (const Planes& picture : pictures)
+        expect_all_equal(picture, random_lut(random, colours, kAnywhere, levels));
+}
+
+TEST(MapToLut, EqualsTheDefinitionOnAGridFullOfTies) {
+  std::vector<Code6> codes;
+  for (int i = 0; i < 256; ++i)
+    codes.push_back({static_cast<std::uint8_t>(i / 64 * 21),
+                     static_cast<std::uint8_t>(i / 8 % 8 * 9),
+                     static_cast<std::uint8_t>(i % 8 * 9)});
+  std::mt19937 random(13);
+  std::shuffle(codes.begin(), codes.end(), random);
+  expect_all_equal(noise(5), make_lut(codes));
+  expect_all_equal(ramps(), make_lut(codes));
+}
+
+TEST(NearestSearch, EqualsTheDefinitionAllOverTheCube) {
+  std::mt19937 random(14);
+  const Lut lut = random_lut(random, 256, 0, 64);
+  NearestSearch search(lut);
+  for (std::uint32_t key = 0; key < 1u << 24; key += 37) {
+    const Rgb8 colour{static_cast<std::uint8_t>(key >> 16), static_cast<std::uint8_t>(key >> 8),
+                      static_cast<std::uint8_t>(key)};
+    ASSERT_EQ(search(colour), nearest_entry(colour, lut)) << key;
+  }
+}
+
+TEST(MapToLut, OfNoPixelsIsEmpty) {
+  EXPECT_TRUE(map_to_lut(Planes(ImageSize{0, 0}), Lut{}).empty());
+}
+
+}  // namespace
+}  // namespace sir::quant
