@@ -146,6 +146,26 @@ TEST(Classify, SecondaryRaysNeverMeetTheSurfaceTheyLeave) {
   }
 }
 
+// Faces, tangents and generators of solids whose size has no exact inverse: 49
+// times 1/49 is not 1.
+TEST(Classify, AwkwardSizesHaveExactFaces) {
+  const auto hits = [](PrimitiveKind kind, const Placement& placement, glm::dvec3 o, glm::dvec3 d) {
+    SceneBuilder build;
+    return make_prober(build.finish(build.primitive(kind, placement)), Precision::double_)->hits(o, d);
+  };
+  const Placement by49 = test::placed(glm::dvec3(49), {0, 0, 0});
+  EXPECT_TRUE(hits(PrimitiveKind::sphere, by49, {49, 0, -5}, {0, 0, 1}).empty()) << "tangent";
+  EXPECT_TRUE(hits(PrimitiveKind::cube, by49, {49, 20, -5}, {0, 0, 1}).empty()) << "in a face";
+  const auto starts = hits(PrimitiveKind::cube, by49, {20, 20, 49}, {0, 0, -1});
+  ASSERT_EQ(starts.size(), 2u);
+  EXPECT_EQ(starts[0].t, 0);
+  Placement shear = test::placed(glm::dvec3(3), {0, 0, 0});
+  shear.linear[1].x = 1;
+  EXPECT_TRUE(hits(PrimitiveKind::cube, shear, {3, 0, -5}, {0, 0, 1}).empty()) << "in a sheared face";
+  EXPECT_TRUE(hits(PrimitiveKind::cone, test::placed({3, 3, 2}, {2, -2, 1}), {0, 3, 1}, {1, -1, 0})
+                  .empty()) << "along a generator";
+}
+
 // A fuse of alternating operations, so that nothing can be flattened away.
 Scene alternating_chain(int depth) {
   SceneBuilder build;

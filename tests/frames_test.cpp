@@ -40,7 +40,7 @@ TEST(Frames, TransformTakesFileLinesAsColumns) {
   m.linear[0] = {0, 0, 1};
   m.linear[1] = {1, 0, 0};
   m.linear[2] = {0, 1, 0};
-  m.inverse = glm::transpose(m.linear);
+  m.numerators = glm::transpose(m.linear);
   m.translation = {10, 20, 30};
   const auto p = m.apply(PointLocal<double>{{1, 2, 3}});
   EXPECT_EQ(p.v, glm::dvec3(12, 23, 31));
@@ -51,7 +51,7 @@ TEST(Frames, TransformTakesFileLinesAsColumns) {
 TEST(Frames, NormalStaysNormalUnderShear) {
   LocalCena<double> m;
   m.linear[1] = {0.5, 1, 0};  // y leans towards x
-  m.inverse[1] = {-0.5, 1, 0};
+  m.numerators[1] = {-0.5, 1, 0};
   const auto n = m.apply(NormalLocal<double>{{1, 0, 0}});
   for (const auto& tangent : {VectorLocal<double>{{0, 1, 0}}, VectorLocal<double>{{0, 0, 1}}})
     EXPECT_EQ(dot(n, m.apply(tangent)), 0);
@@ -61,7 +61,7 @@ TEST(Frames, NormalStaysNormalUnderShear) {
 TEST(Frames, RayKeepsItsParameter) {
   LocalCena<double> m;
   m.linear[0] = {2, 0, 0};
-  m.inverse[0] = {0.5, 0, 0};
+  m.divisors.x = 2;
   m.translation = {1, 0, 0};
   const RayCena<double> ray{{{5, 1, 2}}, {{-2, 0, 1}}};
   EXPECT_EQ(m.apply(m.unapply(ray).at(3)).v, ray.at(3).v);

@@ -19,7 +19,7 @@ const std::filesystem::path kImages = SIR_IMAGES;
 class Images : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Five, Images,
                          testing::Values("whitted", "calice", "luminar", "piramide", "lcg"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& scene) { return std::string(scene.param); });
 
 TEST_P(Images, SameBytesForEveryEngineAndNumberOfThreads) {
   const Scene scene = read_scene(kImages / GetParam());

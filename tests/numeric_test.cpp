@@ -47,21 +47,47 @@ TEST(Numeric, SingularIsDecidedExactly) {
   EXPECT_FALSE(is_singular(columns({1e-100, 0, 0}, {0, 1e-100, 0}, {0, 0, 1e-100})));
 }
 
+glm::dmat3 matrix_of(const Inverse& inverse) {
+  glm::dmat3 m;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) m[c][r] = inverse.entry(r, c);
+  return m;
+}
+
 TEST(Numeric, InverseIsTheNearestDouble) {
   // Integer matrices with determinant 1 have integer inverses.
   const glm::dmat3 m = columns({1, 2, 3}, {0, 1, 4}, {5, 6, 0});
-  glm::dmat3 inverse;
+  Inverse inverse;
   ASSERT_TRUE(invert(m, inverse));
-  EXPECT_EQ(inverse, columns({-24, 18, 5}, {20, -15, -4}, {-5, 4, 1}));
+  EXPECT_EQ(matrix_of(inverse), columns({-24, 18, 5}, {20, -15, -4}, {-5, 4, 1}));
 }
 
 TEST(Numeric, InverseHoldsAtConditionTwelve) {
   // Shears of 1e6 both ways: integers, determinant 1, condition 1e24, exact inverse known.
   const double s = 1e6;
   const glm::dmat3 m = columns({1, 0, 0}, {s, 1, 0}, {0, s, 1});
-  glm::dmat3 inverse;
+  Inverse inverse;
   ASSERT_TRUE(invert(m, inverse));
-  EXPECT_EQ(inverse, columns({1, 0, 0}, {-s, 1, 0}, {s * s, -s, 1}));
+  EXPECT_EQ(matrix_of(inverse), columns({1, 0, 0}, {-s, 1, 0}, {s * s, -s, 1}));
+}
+
+TEST(Numeric, ScalingsDivideExactly) {
+  for (const double s : {49.0, 98.0, 0.1, 1.0 / 3, 3e-170, 7.0}) {
+    Inverse inverse;
+    ASSERT_TRUE(invert(columns({s, 0, 0}, {0, 2 * s, 0}, {0, 0, s}), inverse));
+    EXPECT_EQ(inverse.numerators[0][0] * s / inverse.divisors[0], 1) << s;
+    EXPECT_EQ(inverse.numerators[1][1] * (2 * s) / inverse.divisors[1], 1) << s;
+  }
+}
+
+TEST(Numeric, IntegerShearsStayExact) {
+  const glm::dmat3 m = columns({3, 0, 0}, {1, 3, 0}, {2, 1, 5});
+  Inverse inverse;
+  ASSERT_TRUE(invert(m, inverse));
+  const auto local = [&](glm::dvec3 p) { return (inverse.numerators * p) / inverse.divisors; };
+  EXPECT_EQ(local(m * glm::dvec3(1, 0, 1)), glm::dvec3(1, 0, 1));
+  EXPECT_EQ(local(m * glm::dvec3(7, -1, 0)), glm::dvec3(7, -1, 0));
+  EXPECT_EQ(local(m[2]), glm::dvec3(0, 0, 1));
 }
 
 TEST(Numeric, InverseOfRandomMatricesIsAccurate) {
@@ -71,18 +97,18 @@ TEST(Numeric, InverseOfRandomMatricesIsAccurate) {
     glm::dmat3 m;
     for (int c = 0; c < 3; ++c)
       for (int r = 0; r < 3; ++r) m[c][r] = any(random) * std::pow(10.0, 3 * any(random));
-    glm::dmat3 inverse;
+    Inverse inverse;
     ASSERT_TRUE(invert(m, inverse));
     // Residual in extended precision, against the size of the summed terms.
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {
         long double sum = 0, size = 0;
         for (int k = 0; k < 3; ++k) {
-          const long double term = static_cast<long double>(m[k][r]) * inverse[c][k];
+          const long double term = static_cast<long double>(m[k][r]) * inverse.entry(k, c);
           sum += term;
           size += std::abs(term);
         }
-        EXPECT_LE(std::abs(sum - (r == c ? 1 : 0)), size * 1.2e-16L);
+        EXPECT_LE(std::abs(sum - (r == c ? 1 : 0)), size * 3.4e-16L);
       }
   }
 }

@@ -126,6 +126,23 @@ TEST(Trace, RayFromInsideTakesTheIndexOfWhatItLeaves) {
   EXPECT_NEAR(log[1].direction.x, sine, 1e-14);
 }
 
+TEST(Trace, FaceWithoutAnIndexLeavesTheMediumOpen) {
+  // From inside glass with a mirror-lined cut: first the mirror, whose ir is
+  // 0, then out through the glass, which alone can tell the index.
+  SceneBuilder build;
+  make(build, 1, {0, 0, 0}, 0, 1, 1.5);
+  make(build, 2, {0, 0, 0}, 0.5, 0, 0);
+  const auto glass = build.cube({-9, -9, -9}, {9, 0, 9}, 1);
+  const auto cut = build.cube({-9, -9, -9}, {9, -4, 9}, 2);
+  TraceLog log;
+  seen(build.finish(build.combine(Operation::difference, glass, cut)), {{{0, -1, 0}}, {{0.3, -1, 0}}},
+       {}, &log);
+  ASSERT_EQ(log.size(), 3u);
+  EXPECT_EQ(log[1].kind, RayKind::reflected);
+  EXPECT_EQ(log[2].kind, RayKind::refracted);
+  EXPECT_NEAR(log[2].direction.x, 1.5 * 0.3 / std::sqrt(1.09), 1e-14);
+}
+
 TEST(Trace, TotalReflectionJoinsTheMirroredRay) {
   SceneBuilder build;
   make(build, 1, {0, 0, 0}, 0.25, 0.5, 1.5);

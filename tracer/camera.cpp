@@ -11,7 +11,7 @@ Camera<T>::Camera(const CameraFile& file)
   const glm::dvec3 right = glm::normalize(glm::cross(n, scaled_near_one(file.up)));
   const glm::dmat3 axes(right, glm::cross(right, n), n);
   obs_cena_.linear = glm::mat<3, 3, T>(axes);
-  obs_cena_.inverse = glm::mat<3, 3, T>(glm::transpose(axes));
+  obs_cena_.numerators = glm::mat<3, 3, T>(glm::transpose(axes));
   obs_cena_.translation = glm::vec<3, T>(file.target - file.distance * n);
 }
 

@@ -97,7 +97,7 @@ struct Reader {
       if (line < 3) node.placement.linear[line] = v;
       else node.placement.translation = v;
     }
-    glm::dmat3 inverse;
+    Inverse inverse;
     if (!invert(node.placement.linear, inverse))
       file.fail_at(first_line, where(node) + "LOCAL_CENA is singular");
   }

@@ -67,10 +67,15 @@ struct Ray {
 /// in the fourth line; line i of the file is column i here, so that
 /// `linear * p + translation` is the thesis's p M. This is the only place that
 /// knows of it.
+///
+/// The inverse is kept as row i of `numerators` over `divisors[i]`: a solid of
+/// size 49 then divides by 49, which is exact where it should be, while a
+/// factor 1/49 would move its faces by a rounding (see Inverse, numeric.h).
 template <typename From, typename To, typename T>
 struct Transform {
   glm::mat<3, 3, T> linear{T(1)};
-  glm::mat<3, 3, T> inverse{T(1)};
+  glm::mat<3, 3, T> numerators{T(1)};
+  glm::vec<3, T> divisors{1};
   glm::vec<3, T> translation{0};
 
   Point<To, T> apply(Point<From, T> p) const { return {linear * p.v + translation}; }
@@ -78,12 +83,14 @@ struct Transform {
 
   /// Normals go by the inverse's transpose, or a shear would tilt them off
   /// the surface. The result is not of unit length.
-  Normal<To, T> apply(Normal<From, T> n) const { return {n.v * inverse}; }
+  Normal<To, T> apply(Normal<From, T> n) const { return {(n.v / divisors) * numerators}; }
 
   /// The way back subtracts the translation before the inverse is applied: a
   /// combined 4x4 inverse cancels badly far from the origin.
-  Point<From, T> unapply(Point<To, T> p) const { return {inverse * (p.v - translation)}; }
-  Vector<From, T> unapply(Vector<To, T> d) const { return {inverse * d.v}; }
+  Point<From, T> unapply(Point<To, T> p) const {
+    return {(numerators * (p.v - translation)) / divisors};
+  }
+  Vector<From, T> unapply(Vector<To, T> d) const { return {(numerators * d.v) / divisors}; }
 
   /// A ray keeps its parameter t through the map (thesis 2.3.3).
   Ray<From, T> unapply(const Ray<To, T>& ray) const {

@@ -17,6 +17,10 @@ bool intersect_cone(const RayLocal<T>& ray, Span<T>& span) {
     const T base = -ray.origin.v.y / dw;
     if (dw > 0) inside.enter_at(base, kBase);
     else inside.leave_at(base, kBase);
+    // Below the apex, whatever rounding makes of a ray along a generator.
+    const T apex = -w / dw;
+    if (dw > 0) inside.leave_at(apex, kSide);
+    else inside.enter_at(apex, kSide);
   }
 
   const T a = dx * dx + dz * dz - dw * dw;

@@ -59,6 +59,41 @@ class ExactSum {
   std::size_t size_ = 0;
 };
 
+// Cofactors over the determinant, where all of them are exact: entries that are
+// integers of at most 16 bits times one power of two (the determinant then has
+// 51).
+bool invert_integers(const glm::dmat3& m, Inverse& inverse) {
+  double largest = 0;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(m[c][r]));
+  constexpr int kBits = 15;
+  const int exponent = kBits - std::ilogb(largest);
+  glm::dmat3 a(0.0);
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) {
+      a[c][r] = std::ldexp(m[c][r], exponent);
+      if (a[c][r] != std::trunc(a[c][r])) return false;
+    }
+  double determinant = 0;
+  glm::dmat3 cofactor(0.0);  // [column][row] of the adjugate
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) {
+      const int c1 = (c + 1) % 3, c2 = (c + 2) % 3, r1 = (r + 1) % 3, r2 = (r + 2) % 3;
+      cofactor[r][c] = a[c1][r1] * a[c2][r2] - a[c2][r1] * a[c1][r2];
+    }
+  for (int r = 0; r < 3; ++r) determinant += a[0][r] * cofactor[r][0];
+  for (int row = 0; row < 3; ++row) {
+    double size = 0;
+    for (int c = 0; c < 3; ++c) size = std::max(size, std::abs(cofactor[c][row]));
+    // Numerators near 1 by a power of two, whatever the scale of the matrix.
+    const int shift = -std::ilogb(size);
+    for (int c = 0; c < 3; ++c) inverse.numerators[c][row] = std::ldexp(cofactor[c][row], shift);
+    inverse.divisors[row] = std::ldexp(determinant, shift - exponent);
+    if (inverse.divisors[row] == 0 || !std::isfinite(1 / inverse.divisors[row])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 glm::dvec3 scaled_near_one(const glm::dvec3& v) {
@@ -87,8 +122,9 @@ bool is_singular(const glm::dmat3& m) {
   return det.is_zero();
 }
 
-bool invert(const glm::dmat3& m, glm::dmat3& inverse) {
+bool invert(const glm::dmat3& m, Inverse& inverse) {
   if (is_singular(m)) return false;
+  if (invert_integers(m, inverse)) return true;
   std::array<std::array<Wide, 6>, 3> row{};
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -118,12 +154,15 @@ bool invert(const glm::dmat3& m, glm::dmat3& inverse) {
       for (std::size_t c = 0; c < 6; ++c) row[r][c] -= factor * row[pr][c];
     }
   }
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double x = static_cast<double>(row[r][c + 3]);
-      if (!std::isfinite(x)) return false;
-      inverse[static_cast<int>(c)][static_cast<int>(column_of[r])] = x;
-    }
+  for (std::size_t r = 0; r < 3; ++r) {
+    Wide largest = 0;
+    for (std::size_t c = 3; c < 6; ++c) largest = std::max(largest, magnitude(row[r][c]));
+    const int to = static_cast<int>(column_of[r]);
+    inverse.divisors[to] = static_cast<double>(1 / largest);
+    if (!std::isfinite(static_cast<double>(largest)) || inverse.divisors[to] == 0) return false;
+    for (std::size_t c = 0; c < 3; ++c)
+      inverse.numerators[static_cast<int>(c)][to] = static_cast<double>(row[r][c + 3] / largest);
+  }
   return true;
 }
 

@@ -52,9 +52,20 @@ glm::dvec3 scaled_near_one(const glm::dvec3& v);
 /// tiny solid is not taken for a flat one. Entries must be finite.
 bool is_singular(const glm::dmat3& m);
 
+/// The inverse of a 3x3 matrix, row by row as numerators over a divisor. Of the
+/// many ways to write it, one whose products stay exact as long as can be: for
+/// entries that are small integers (times a power of two) the cofactors over
+/// the determinant, else numerators scaled so that the largest is 1, which for
+/// a scaling along the axes leaves just a division.
+struct Inverse {
+  glm::dmat3 numerators{1.0};  ///< numerators[column][row]
+  glm::dvec3 divisors{1.0};    ///< of each row
+  double entry(int row, int column) const { return numerators[column][row] / divisors[row]; }
+};
+
 /// The inverse to full double precision, by elimination with complete pivoting
 /// in quadruple precision: cofactors in double fail from a condition number of
 /// 1e12 on. False where the matrix is singular or its inverse does not fit.
-bool invert(const glm::dmat3& m, glm::dmat3& inverse);
+bool invert(const glm::dmat3& m, Inverse& inverse);
 
 }  // namespace sir

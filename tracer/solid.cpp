@@ -5,42 +5,44 @@
 namespace sir {
 namespace {
 
+// Largest entry of |LOCAL_CENA| |CENA_LOCAL|: by so much a rounding made in
+// SC_LOCAL grows on its way back to SC_CENA. Near 1 for turned and scaled
+// solids, as large as the condition number for sheared ones.
+double amplification(const glm::dmat3& linear, const Inverse& inverse) {
+  double worst = 1;
+  for (int row = 0; row < 3; ++row) {
+    double sum = 0;
+    for (int column = 0; column < 3; ++column)
+      for (int k = 0; k < 3; ++k)
+        sum += std::abs(linear[k][row]) * std::abs(inverse.entry(k, column));
+    worst = std::max(worst, sum);
+  }
+  return worst;
+}
+
 template <typename T>
 Leaf<T> make_leaf(const CsgNode& node,
-                  const std::unordered_map<std::int64_t, std::uint32_t>& surface_index) {
+                  const std::unordered_map<std::int64_t, std::uint32_t>& surface_index,
+                  T& roundings) {
   Leaf<T> leaf;
-  glm::dmat3 inverse(1.0);
+  Inverse inverse;
   invert(node.placement.linear, inverse);  // the reader has refused singular ones
   leaf.placement.linear = glm::mat<3, 3, T>(node.placement.linear);
-  leaf.placement.inverse = glm::mat<3, 3, T>(inverse);
+  leaf.placement.numerators = glm::mat<3, 3, T>(inverse.numerators);
+  leaf.placement.divisors = glm::vec<3, T>(inverse.divisors);
+  roundings = std::max(roundings, static_cast<T>(amplification(node.placement.linear, inverse)));
   leaf.placement.translation = glm::vec<3, T>(node.placement.translation);
   leaf.stretch = 0;
   for (int row = 0; row < 3; ++row) {
-    T sum = 0;
-    for (int column = 0; column < 3; ++column) sum += std::abs(leaf.placement.inverse[column][row]);
-    leaf.stretch = std::max(leaf.stretch, sum);
+    double sum = 0;
+    for (int column = 0; column < 3; ++column) sum += std::abs(inverse.entry(row, column));
+    leaf.stretch = std::max(leaf.stretch, static_cast<T>(sum));
   }
   for (std::size_t face = 0; face < static_cast<std::size_t>(face_count(node.kind)); ++face)
     leaf.surfaces[face] = surface_index.at(node.surfaces[face]);
   leaf.node = node.number;
   leaf.kind = node.kind;
   return leaf;
-}
-
-// Largest entry of |LOCAL_CENA| |CENA_LOCAL|: by so much a rounding made in
-// SC_LOCAL grows on its way back to SC_CENA. Near 1 for turned and scaled
-// solids, as large as the condition number for sheared ones.
-template <typename T>
-T amplification(const LocalCena<T>& placement) {
-  T worst = 1;
-  for (int row = 0; row < 3; ++row) {
-    T sum = 0;
-    for (int column = 0; column < 3; ++column)
-      for (int k = 0; k < 3; ++k)
-        sum += std::abs(placement.linear[k][row]) * std::abs(placement.inverse[column][k]);
-    worst = std::max(worst, sum);
-  }
-  return worst;
 }
 
 enum class GateKind : std::uint8_t { any, all };
@@ -88,7 +90,7 @@ Solid<T> build_solid(const Scene& scene) {
     solid.polish.push_back({!node.composite, node.operation,
                             static_cast<std::uint32_t>(solid.leaves.size())});
     if (!node.composite) {
-      Leaf<T> leaf = make_leaf<T>(node, surface_index);
+      Leaf<T> leaf = make_leaf<T>(node, surface_index, solid.roundings);
       leaf.gate = item.gate;
       leaf.complemented = item.complemented;
       if (item.gate >= 0) {
@@ -96,7 +98,6 @@ Solid<T> build_solid(const Scene& scene) {
         ++inputs[gate];
         if (item.complemented) ++solid.gates[gate].at_rest;
       }
-      solid.roundings = std::max(solid.roundings, amplification(leaf.placement));
       solid.leaves.push_back(leaf);
       continue;
     }

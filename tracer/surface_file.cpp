@@ -13,6 +13,7 @@ Coefficients read_coefficients(TextFile& file, const std::string& where) {
     if (k[i] < 0) file.fail(where + "coefficients must not be negative");
   if (k[8] > 0 && !(k[9] > 0))
     file.fail(where + "a surface that transmits light (kt > 0) needs a refraction index > 0");
+  if (k[9] < 0) file.fail(where + "the refraction index must not be negative");
   return {{k[0], k[1], k[2]}, {k[3], k[4], k[5]}, k[6], k[7], k[8], k[9]};
 }
 

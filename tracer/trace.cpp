@@ -61,8 +61,9 @@ bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T
   open.depth = depth;
   open.log_index = log_index;
   const Reflectance<T>& k = *open.hit.reflectance;
-  // A ray that begins inside is in what it leaves.
-  if (index == 0) index = boundary.entering || !(k.index > 0) ? T(1) : k.index;
+  // A ray that begins inside is in what it leaves; a face without an index says
+  // nothing of it, and its mirrored ray is as unknowing.
+  if (index == 0) index = boundary.entering ? T(1) : k.index;
   open.index = index;
   std::vector<glm::dvec3>* lights = nullptr;
   if (log_) {
@@ -98,8 +99,9 @@ void Tracer<T>::prepare_secondary(Open& open) const {
   open.index_beyond = open.hit.boundary.entering && k.index > 0 ? k.index : T(1);
   open.has_through = false;
   if (!effects.refraction || !(open.through_weight > 0 || effects.exhaustive)) return;
-  open.has_through = refracted(open.hit.incident, open.hit.normal, open.index, open.index_beyond,
-                               open.through);
+  const T index = open.index > 0 ? open.index : T(1);
+  open.has_through =
+      refracted(open.hit.incident, open.hit.normal, index, open.index_beyond, open.through);
   if (!open.has_through) {  // total internal reflection: the share joins the mirrored ray
     open.mirror_weight += open.through_weight;
     open.through_weight = 0;
