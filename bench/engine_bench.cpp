@@ -10,10 +10,12 @@
 #include <random>
 #include <vector>
 
+#include "bench/timing.h"
 #include "tracer/render.h"
 
 namespace {
 
+using sir::bench::median;
 using namespace sir;
 
 constexpr int kPairs = 7;
@@ -76,11 +78,6 @@ Timed run(const Scene& scene, Engine engine) {
   options.trace.engine = engine;
   RenderResult result = render(scene, options);
   return {result.trace_seconds * 1e3, std::move(result.planes)};
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 bool compare(const char* label, const Scene& a, Engine engine_a, const Scene& b, Engine engine_b) {

@@ -3,7 +3,6 @@
 // Runs are paired and interleaved; medians and the median of the pairs' ratios
 // are printed. Exit code 1 where the two ever differ.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -12,12 +11,15 @@
 #include <string>
 #include <vector>
 
+#include "bench/timing.h"
 #include "quant/choose.h"
 #include "quant/nearest.h"
 #include "tracer/planes.h"
 
 namespace {
 
+using sir::bench::median;
+using sir::bench::milliseconds;
 using sir::Planes;
 using sir::quant::Lut;
 
@@ -27,19 +29,6 @@ struct Picture {
   std::string name;
   Planes planes;
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-template <typename Work>
-double milliseconds(Work work) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 std::uint8_t byte_of(double intensity) {
   return static_cast<std::uint8_t>(std::floor(255 * std::clamp(intensity, 0.0, 1.0) + 0.5));

@@ -4,7 +4,6 @@
 // for counting and choosing, and the median ratio to median cut in RGB.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -13,11 +12,14 @@
 #include <string>
 #include <vector>
 
+#include "bench/timing.h"
 #include "quant/choose.h"
 #include "tracer/planes.h"
 
 namespace {
 
+using sir::bench::median;
+using sir::bench::milliseconds;
 using namespace sir::quant;
 using sir::Planes;
 
@@ -48,19 +50,6 @@ const std::array<Contender, 6> kContenders{{
 struct Times {
   std::vector<double> count, choose, ratio;
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-template <typename Work>
-double milliseconds(Work work) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 /// Soft gradients of all hues; `grain` levels of noise on top.
 Planes gradients(unsigned grain) {

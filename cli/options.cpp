@@ -33,21 +33,27 @@ using Path = std::filesystem::path;
 // The action that the chosen subcommand leaves behind.
 using Action = std::function<int(const Session&)>;
 
+// How the value of an option is written: in short for the help, in full for
+// one who got it wrong.
+struct Form {
+  std::string brief, full;
+};
+
 // Option values that the parser of option_values.h reads: an error names the
 // option and ends in kUsage.
 template <typename Value>
 CLI::Option* add_parsed(CLI::App* app, const std::string& name, Value& value,
-                        bool (*parse)(std::string_view, Value&), const std::string& expected,
+                        bool (*parse)(std::string_view, Value&), const Form& form,
                         const std::string& help) {
   return app
       ->add_option_function<std::string>(
           name,
-          [&value, parse, expected, name](const std::string& text) {
+          [&value, parse, form, name](const std::string& text) {
             if (!parse(text, value))
-              throw CLI::ValidationError(name, fmt::format("\"{}\" is not {}", text, expected));
+              throw CLI::ValidationError(name, fmt::format("\"{}\" is not {}", text, form.full));
           },
           help)
-      ->type_name(expected);
+      ->type_name(form.brief);
 }
 
 template <typename Enum>
@@ -88,7 +94,8 @@ CLI::Option* add_number(CLI::App* app, const std::string& name, double& value, d
 }
 
 void add_size(CLI::App* app, ImageSize& size, const std::string& help) {
-  add_parsed(app, "--size", size, parse_size, "WxH", help);
+  add_parsed(app, "--size", size, parse_size, {"WxH", "WxH, both positive, at most 2^28 pixels in all"},
+             help);
 }
 
 void add_precision(CLI::App* app, Precision& precision) {
@@ -113,7 +120,8 @@ void add_tracing(CLI::App* app, RenderOptions& options) {
              {{"zero", PastLimit::zero}, {"background", PastLimit::background}},
              "what rays past the depth limit see (zero)");
   add_precision(app, options.precision);
-  add_parsed(app, "--effects", trace.allowed_effects, parse_effects, "auto|all|LIST",
+  add_parsed(app, "--effects", trace.allowed_effects, parse_effects,
+             {"auto|all|LIST", "auto, all, or a list out of " + known_effects()},
              "LIST: of " + known_effects() + ", separated by commas (auto)");
   add_engine(app, trace.engine);
 }
@@ -126,7 +134,8 @@ void add_render(CLI::App& app, Action& action) {
   add_tracing(sub, command->options);
   sub->add_option("--threads", command->options.threads, "threads (as many as cores)")
       ->check(CLI::Range(1, 4096))->type_name("N");
-  add_parsed(sub, "--region", command->options.region, parse_region, "X,Y,W,H",
+  add_parsed(sub, "--region", command->options.region, parse_region,
+             {"X,Y,W,H", "X,Y,W,H in pixels, W and H positive"},
              "render this rectangle of the image alone; the outputs hold nothing else");
   sub->add_flag_callback("--no-png", [command] { command->png = false; }, "write the planes only");
   sub->add_flag("--stats", command->stats, "print counts and times as JSON");
@@ -204,9 +213,11 @@ void add_lut(CLI::App& app, Action& action) {
   add_number(sub, "--grey-s", choice.grid.grey_s, 0, 1,
              "hsv: saturations up to this are grey (0.2)");
   add_number(sub, "--grey-v", choice.grid.grey_v, 0, 1, "hsv: values up to this are grey (0.2)");
-  add_parsed(sub, "--grid", choice.grid, quant::parse_grid, "HxSxV", "hsv: the grid (36x30x30)");
+  add_parsed(sub, "--grid", choice.grid, quant::parse_grid,
+             {"HxSxV", "HxSxV: 1 to 1024 hues, 2 to 1024 levels of S and V, 2^24 cells"},
+             "hsv: the grid (36x30x30)");
   sub->add_option("--sample", choice.sample, "count every Nth pixel only (1)")
-      ->check(CLI::PositiveNumber)->type_name("N");
+      ->check(CLI::Range(1, 1'000'000'000))->type_name("N");
   add_size(sub, options->size, "size of the planes (640x480)");
   sub->add_option("-o", options->output, "the LUT's file (BASE.LUT)")->type_name("FILE.LUT");
   sub->add_flag("--json", options->json, "print JSON");
@@ -225,7 +236,11 @@ void add_show(CLI::App& app, Action& action) {
       ->type_name("OUT.png");
   sub->add_flag("--crop", options->crop, "the image's area alone; also admits larger images");
   add_size(sub, options->size, "size of the planes (640x480)");
-  sub->callback([&action, options] {
+  // The only ones so far; named so that a script may say what it relies on.
+  const auto named = std::make_shared<std::string>();
+  sub->add_option("--map", *named, "how colours are compared (rgb)")->check(CLI::IsMember({"rgb"}));
+  sub->add_option("--monitor", *named, "the monitor (ideal)")->check(CLI::IsMember({"ideal"}));
+  sub->callback([&action, options, named] {
     if (options->png && options->inputs.size() > 1)
       throw CLI::ValidationError("--png", "takes one image");
     action = [options](const Session& session) { return run_show(*options, session); };

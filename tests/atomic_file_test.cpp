@@ -7,24 +7,16 @@
 
 #include <array>
 
+#include "tests/reason_of.h"
 #include "tests/temp_folder.h"
 #include "tracer/error.h"
 
 namespace sir {
 namespace {
 
+using test::reason_of;
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
-
-template <typename Action>
-std::string reason_of(Action action) {
-  try {
-    action();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 class AtomicFileTest : public testing::Test {
  protected:

@@ -5,23 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/reason_of.h"
 #include "tests/temp_folder.h"
 #include "tracer/error.h"
 
 namespace sir {
 namespace {
 
+using test::reason_of;
 using test::TempFolder;
-
-template <typename Action>
-std::string reason_of(Action action) {
-  try {
-    action();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 // A number's value, NaN where the token is refused.
 double number(std::string_view token) {
