@@ -164,6 +164,18 @@ TEST(Classify, AwkwardSizesHaveExactFaces) {
   EXPECT_TRUE(hits(PrimitiveKind::cube, shear, {3, 0, -5}, {0, 0, 1}).empty()) << "in a sheared face";
   EXPECT_TRUE(hits(PrimitiveKind::cone, test::placed({3, 3, 2}, {2, -2, 1}), {0, 3, 1}, {1, -1, 0})
                   .empty()) << "along a generator";
+  // (1,2,2) lies on the sphere of radius 3, (3,4) on the circle of radius 5.
+  const Placement by3 = test::placed(glm::dvec3(3), {0, 0, 0});
+  EXPECT_TRUE(hits(PrimitiveKind::sphere, by3, {5, 0, 2}, {-2, 1, 0}).empty()) << "oblique tangent";
+  const auto from_sphere = hits(PrimitiveKind::sphere, by3, {1, 2, 2}, {-1, -2, -2});
+  ASSERT_EQ(from_sphere.size(), 2u);
+  EXPECT_EQ(from_sphere[0].t, 0);
+  EXPECT_EQ(from_sphere[1].t, 2);
+  const Placement by5 = test::placed(glm::dvec3(5), {0, 0, 0});
+  EXPECT_TRUE(hits(PrimitiveKind::cylinder, by5, {-1, 2, 7}, {4, 0, -3}).empty());
+  const auto from_side = hits(PrimitiveKind::cylinder, by5, {3, 2, 4}, {-3, 0, -4});
+  ASSERT_EQ(from_side.size(), 2u);
+  EXPECT_EQ(from_side[0].t, 0);
 }
 
 // A fuse of alternating operations, so that nothing can be flattened away.

@@ -42,6 +42,12 @@ TEST(Render, PowersOfTwoScaleWithoutChangingAByte) {
     for (const int exponent : {-40, -20, 7, 40})
       ASSERT_EQ(render(test::moved(scene, std::ldexp(1, exponent), {}), small()).planes, usual)
           << "seed " << seed << " scale 2^" << exponent;
+    RenderOptions single = small();
+    single.precision = Precision::float_;
+    const Planes usual_single = render(scene, single).planes;
+    for (const int exponent : {-20, -10, 7, 20})
+      ASSERT_EQ(render(test::moved(scene, std::ldexp(1, exponent), {}), single).planes, usual_single)
+          << "seed " << seed << " float, scale 2^" << exponent;
   }
 }
 

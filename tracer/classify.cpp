@@ -45,11 +45,14 @@ template <typename T>
 void Classifier<T>::gather(std::uint32_t index, const RayCena<T>& ray, const RayStart<T>& start) {
   const Leaf<T>& leaf = solid_.leaves[index];
   if (index == start.leaf && !start.inward) return;  // convex: never met again
-  const RayLocal<T> local = leaf.placement.unapply(ray);
   Span<T> span;
-  if (!intersect(leaf.kind, local, span)) return;
+  const bool crosses =
+      leaf.unit > 0
+          ? intersect(leaf.kind, leaf.placement.unapply_times_divisor(ray), leaf.unit, span)
+          : intersect(leaf.kind, leaf.placement.unapply(ray), T(1), span);
+  if (!crosses) return;
   if (index == start.leaf) span.enter = T(0);
-  else if (secondary_) snap_to_start(leaf, local, start.error, span);
+  else if (secondary_) snap_to_start(leaf, leaf.placement.unapply(ray.origin), start.error, span);
   if (span.leave < 0 || !(span.enter < span.leave)) return;
   spans_.push_back({span, index, false});
 }
@@ -58,11 +61,11 @@ void Classifier<T>::gather(std::uint32_t index, const RayCena<T>& ray, const Ray
 // that cannot be told, because a flat angle blows the distance up; in the
 // primitive's own frame it can.
 template <typename T>
-void Classifier<T>::snap_to_start(const Leaf<T>& leaf, const RayLocal<T>& ray, T error,
+void Classifier<T>::snap_to_start(const Leaf<T>& leaf, PointLocal<T> start, T error,
                                   Span<T>& span) const {
   const T tolerance = leaf.stretch * error;
-  const bool enters_here = on_face(leaf.kind, span.enter_face, ray.origin, tolerance);
-  const bool leaves_here = on_face(leaf.kind, span.leave_face, ray.origin, tolerance);
+  const bool enters_here = on_face(leaf.kind, span.enter_face, start, tolerance);
+  const bool leaves_here = on_face(leaf.kind, span.leave_face, start, tolerance);
   const bool same_surface = span.enter_face == span.leave_face;
   const bool enter_is_nearer = std::abs(span.enter) <= std::abs(span.leave);
   if (enters_here && (!same_surface || enter_is_nearer)) span.enter = T(0);

@@ -73,7 +73,7 @@ class Classifier {
   };
 
   void gather(std::uint32_t leaf, const RayCena<T>& ray, const RayStart<T>& start);
-  void snap_to_start(const Leaf<T>& leaf, const RayLocal<T>& ray, T error, Span<T>& span) const;
+  void snap_to_start(const Leaf<T>& leaf, PointLocal<T> start, T error, Span<T>& span) const;
   bool toggle(Crossed& crossed);
   bool reportable(T t) const { return secondary_ ? t > 0 : t >= 0; }
   Boundary<T> boundary_of(const Event& event, bool entering) const;

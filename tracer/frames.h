@@ -92,6 +92,13 @@ struct Transform {
   }
   Vector<From, T> unapply(Vector<To, T> d) const { return {(numerators * d.v) / divisors}; }
 
+  /// unapply() without the division, for a map whose divisors are all the same:
+  /// SC_LOCAL in units of 1/divisor. What was exact in the file's numbers stays
+  /// exact here more often.
+  Ray<From, T> unapply_times_divisor(const Ray<To, T>& ray) const {
+    return {{numerators * (ray.origin.v - translation)}, {numerators * ray.direction.v}};
+  }
+
   /// A ray keeps its parameter t through the map (thesis 2.3.3).
   Ray<From, T> unapply(const Ray<To, T>& ray) const {
     return {unapply(ray.origin), unapply(ray.direction)};

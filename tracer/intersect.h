@@ -35,21 +35,26 @@ struct Span {
 /// Intersects the whole line, t from minus to plus infinity. False: the line is
 /// OUT, which includes touching in a point or an edge and lying in a face.
 /// Where the line meets two faces at once (an edge), the lower face is named.
-/// Works from the remainder of the origin about the axis or centre, never from
-/// b^2-4ac (Haines et al., Ray Tracing Gems ch. 7), and takes the second root
-/// as c/q (Kahan), so that distant and nearly parallel rays keep their digits.
-template <typename T> bool intersect_cube(const RayLocal<T>& ray, Span<T>& span);
-template <typename T> bool intersect_sphere(const RayLocal<T>& ray, Span<T>& span);
-template <typename T> bool intersect_cone(const RayLocal<T>& ray, Span<T>& span);
-template <typename T> bool intersect_cylinder(const RayLocal<T>& ray, Span<T>& span);
+///
+/// `unit` > 0 is the length of SC_LOCAL's unit in the ray's coordinates: 1, or
+/// the divisor that Transform::unapply_times_divisor left undone.
+///
+/// Discriminants are taken as sums of minors such as x dz - z dx, never as
+/// b^2-4ac (compare Haines et al., Ray Tracing Gems ch. 7), the second root as
+/// c/q (Kahan): distant and nearly parallel rays keep their digits, and what
+/// touches exactly, in numbers short enough, is found to touch.
+template <typename T> bool intersect_cube(const RayLocal<T>& ray, T unit, Span<T>& span);
+template <typename T> bool intersect_sphere(const RayLocal<T>& ray, T unit, Span<T>& span);
+template <typename T> bool intersect_cone(const RayLocal<T>& ray, T unit, Span<T>& span);
+template <typename T> bool intersect_cylinder(const RayLocal<T>& ray, T unit, Span<T>& span);
 
 template <typename T>
-inline bool intersect(PrimitiveKind kind, const RayLocal<T>& ray, Span<T>& span) {
+inline bool intersect(PrimitiveKind kind, const RayLocal<T>& ray, T unit, Span<T>& span) {
   switch (kind) {
-    case PrimitiveKind::cube: return intersect_cube(ray, span);
-    case PrimitiveKind::sphere: return intersect_sphere(ray, span);
-    case PrimitiveKind::cone: return intersect_cone(ray, span);
-    case PrimitiveKind::cylinder: return intersect_cylinder(ray, span);
+    case PrimitiveKind::cube: return intersect_cube(ray, unit, span);
+    case PrimitiveKind::sphere: return intersect_sphere(ray, unit, span);
+    case PrimitiveKind::cone: return intersect_cone(ray, unit, span);
+    case PrimitiveKind::cylinder: return intersect_cylinder(ray, unit, span);
   }
   return false;
 }

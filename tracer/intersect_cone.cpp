@@ -3,17 +3,17 @@
 namespace sir {
 
 template <typename T>
-bool intersect_cone(const RayLocal<T>& ray, Span<T>& span) {
+bool intersect_cone(const RayLocal<T>& ray, T unit, Span<T>& span) {
   constexpr std::uint8_t kSide = 0, kBase = 1;
-  // w = y - 1 puts the apex in the origin: x^2 + z^2 < w^2 with w in (-1, 0).
-  const T x = ray.origin.v.x, w = ray.origin.v.y - T(1), z = ray.origin.v.z;
+  // w = y - unit puts the apex in the origin: x^2 + z^2 < w^2, w in (-unit, 0).
+  const T x = ray.origin.v.x, w = ray.origin.v.y - unit, z = ray.origin.v.z;
   const T dx = ray.direction.v.x, dw = ray.direction.v.y, dz = ray.direction.v.z;
 
   Interval<T> inside;
   if (dw == 0) {
-    if (!(w > T(-1) && w < T(0))) return false;
+    if (!(ray.origin.v.y > 0 && w < 0)) return false;
   } else {
-    // From y, not from w: y - 1 may have been rounded.
+    // From y, not from w: the difference may have been rounded.
     const T base = -ray.origin.v.y / dw;
     if (dw > 0) inside.enter_at(base, kBase);
     else inside.leave_at(base, kBase);
@@ -57,7 +57,7 @@ bool intersect_cone(const RayLocal<T>& ray, Span<T>& span) {
   return inside.to_span(span);
 }
 
-template bool intersect_cone(const RayLocal<float>&, Span<float>&);
-template bool intersect_cone(const RayLocal<double>&, Span<double>&);
+template bool intersect_cone(const RayLocal<float>&, float, Span<float>&);
+template bool intersect_cone(const RayLocal<double>&, double, Span<double>&);
 
 }  // namespace sir

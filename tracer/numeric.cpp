@@ -59,6 +59,23 @@ class ExactSum {
   std::size_t size_ = 0;
 };
 
+// Numerators of a row that are to be divided by `divisor` and multiplied by
+// 2^exponent: scaled by powers of two so that the divisor comes to lie in [1,2)
+// and coordinates in SC_LOCAL have their natural size even before the division.
+void set_divisor(Inverse& inverse, int row, double divisor, int exponent) {
+  const int shift = -std::ilogb(divisor);
+  inverse.divisors[row] = std::ldexp(divisor, shift);
+  for (int c = 0; c < 3; ++c)
+    inverse.numerators[c][row] = std::ldexp(inverse.numerators[c][row], shift + exponent);
+}
+
+bool fits(const Inverse& inverse) {
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r)
+      if (!std::isfinite(inverse.numerators[c][r])) return false;
+  return true;
+}
+
 // Cofactors over the determinant, where all of them are exact: entries that are
 // integers of at most 16 bits times one power of two (the determinant then has
 // 51).
@@ -82,15 +99,10 @@ bool invert_integers(const glm::dmat3& m, Inverse& inverse) {
       cofactor[r][c] = a[c1][r1] * a[c2][r2] - a[c2][r1] * a[c1][r2];
     }
   for (int r = 0; r < 3; ++r) determinant += a[0][r] * cofactor[r][0];
-  for (int row = 0; row < 3; ++row) {
-    double size = 0;
-    for (int c = 0; c < 3; ++c) size = std::max(size, std::abs(cofactor[c][row]));
-    // Numerators near 1 by a power of two, whatever the scale of the matrix.
-    const int shift = -std::ilogb(size);
-    for (int c = 0; c < 3; ++c) inverse.numerators[c][row] = std::ldexp(cofactor[c][row], shift);
-    inverse.divisors[row] = std::ldexp(determinant, shift - exponent);
-    if (inverse.divisors[row] == 0 || !std::isfinite(1 / inverse.divisors[row])) return false;
-  }
+  // a is the matrix times 2^exponent: its inverse is 2^exponent too small.
+  const double sign = determinant < 0 ? -1 : 1;
+  inverse.numerators = cofactor * sign;
+  for (int row = 0; row < 3; ++row) set_divisor(inverse, row, sign * determinant, exponent);
   return true;
 }
 
@@ -124,7 +136,7 @@ bool is_singular(const glm::dmat3& m) {
 
 bool invert(const glm::dmat3& m, Inverse& inverse) {
   if (is_singular(m)) return false;
-  if (invert_integers(m, inverse)) return true;
+  if (invert_integers(m, inverse)) return fits(inverse);
   std::array<std::array<Wide, 6>, 3> row{};
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -158,12 +170,13 @@ bool invert(const glm::dmat3& m, Inverse& inverse) {
     Wide largest = 0;
     for (std::size_t c = 3; c < 6; ++c) largest = std::max(largest, magnitude(row[r][c]));
     const int to = static_cast<int>(column_of[r]);
-    inverse.divisors[to] = static_cast<double>(1 / largest);
-    if (!std::isfinite(static_cast<double>(largest)) || inverse.divisors[to] == 0) return false;
     for (std::size_t c = 0; c < 3; ++c)
       inverse.numerators[static_cast<int>(c)][to] = static_cast<double>(row[r][c + 3] / largest);
+    const double divisor = static_cast<double>(1 / largest);
+    if (divisor == 0 || !std::isfinite(divisor)) return false;
+    set_divisor(inverse, to, divisor, 0);
   }
-  return true;
+  return fits(inverse);
 }
 
 }  // namespace sir

@@ -59,7 +59,7 @@ bool is_singular(const glm::dmat3& m);
 /// a scaling along the axes leaves just a division.
 struct Inverse {
   glm::dmat3 numerators{1.0};  ///< numerators[column][row]
-  glm::dvec3 divisors{1.0};    ///< of each row
+  glm::dvec3 divisors{1.0};    ///< of each row, in [1,2)
   double entry(int row, int column) const { return numerators[column][row] / divisors[row]; }
 };
 

@@ -30,6 +30,8 @@ Leaf<T> make_leaf(const CsgNode& node,
   leaf.placement.linear = glm::mat<3, 3, T>(node.placement.linear);
   leaf.placement.numerators = glm::mat<3, 3, T>(inverse.numerators);
   leaf.placement.divisors = glm::vec<3, T>(inverse.divisors);
+  if (inverse.divisors.x == inverse.divisors.y && inverse.divisors.x == inverse.divisors.z)
+    leaf.unit = leaf.placement.divisors.x;
   roundings = std::max(roundings, static_cast<T>(amplification(node.placement.linear, inverse)));
   leaf.placement.translation = glm::vec<3, T>(node.placement.translation);
   leaf.stretch = 0;

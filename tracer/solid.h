@@ -18,6 +18,7 @@ namespace sir {
 template <typename T>
 struct Leaf {
   LocalCena<T> placement;
+  T unit = 0;                            ///< the common divisor of `placement`; 0: it has none
   T stretch = 1;                         ///< largest row sum of |CENA_LOCAL|: how far a step
                                          ///< of 1 in SC_CENA may reach in SC_LOCAL
   std::array<std::uint32_t, 6> surfaces{};  ///< index into Scene::surfaces, by face
