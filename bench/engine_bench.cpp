@@ -52,7 +52,8 @@ Scene cloud(int n, bool chain) {
       for (std::size_t i = 1; i < level.size(); ++i) top = join(top, level[i]);
       above = {top};
     } else {
-      for (std::size_t i = 0; i + 1 < level.size(); i += 2) above.push_back(join(level[i], level[i + 1]));
+      for (std::size_t i = 0; i + 1 < level.size(); i += 2)
+        above.push_back(join(level[i], level[i + 1]));
       if (level.size() % 2) above.push_back(level.back());
     }
     level = above;

@@ -18,9 +18,9 @@
 
 namespace {
 
+using sir::Planes;
 using sir::bench::median;
 using sir::bench::milliseconds;
-using sir::Planes;
 using sir::quant::Lut;
 
 constexpr int kPairs = 15;
@@ -61,8 +61,7 @@ Planes grainy() {
   Planes image = balls();
   std::mt19937 random(1989);
   for (auto& plane : image.channel)
-    for (auto& byte : plane)
-      byte = byte_of((byte + static_cast<double>(random() % 17) - 8) / 255);
+    for (auto& byte : plane) byte = byte_of((byte + static_cast<double>(random() % 17) - 8) / 255);
   return image;
 }
 

@@ -20,9 +20,7 @@
 namespace sir::cli {
 namespace {
 
-constexpr bool is_space(char letter) {
-  return letter == ' ' || (letter >= '\t' && letter <= '\r');
-}
+constexpr bool is_space(char letter) { return letter == ' ' || (letter >= '\t' && letter <= '\r'); }
 
 std::string_view without_leading_space(std::string_view text) {
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
@@ -81,10 +79,8 @@ class Answers {
       return;
     }
     keep(part);
-    if (too_long_)
-      refuse("the line is too long");
-    else
-      answer(rest_);
+    if (too_long_) refuse("the line is too long");
+    else answer(rest_);
     rest_.clear();
     too_long_ = false;
   }
@@ -102,10 +98,8 @@ class Answers {
     fmt::format_to(to, R"({{"h":{:.17g},"s":{:.17g},"v":{:.17g},)", true_value.h, true_value.s,
                    true_value.v);
     const auto [h, s, v] = grid_.point(grid_.cell(colour));
-    if (h == grid_.grey_plane())
-      fmt::format_to(to, "\"grey\":{}}}\n", v);
-    else
-      fmt::format_to(to, "\"bin\":[{},{},{}]}}\n", h, s, v);
+    if (h == grid_.grey_plane()) fmt::format_to(to, "\"grey\":{}}}\n", v);
+    else fmt::format_to(to, "\"bin\":[{},{},{}]}}\n", h, s, v);
   }
 
   void refuse(std::string_view reason) {

@@ -26,9 +26,11 @@ Planes load_image(const std::filesystem::path& input, ImageSize size) {
 }
 
 void refuse_input_file(const std::filesystem::path& output, const std::filesystem::path& input) {
-  if (is_png(input)) return refuse_same_file(output, input);
-  for (const char* suffix : {"R", "G", "B"})
-    refuse_same_file(output, find_by_suffix(input, suffix));
+  if (is_png(input)) refuse_same_file(output, input);
+  // A slip of the suffix must not cost a plane, or the scene that they came from.
+  for (const char* suffix :
+       {"R", "G", "B", "CSG", "CAM", "LUZ", "SUP", "r", "g", "b", "csg", "cam", "luz", "sup"})
+    refuse_same_file(output, with_suffix(base_name(input), suffix));
 }
 
 }  // namespace sir::cli

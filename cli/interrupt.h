@@ -1,4 +1,5 @@
-// Ctrl-C: long work is asked to stop, so that it can leave nothing half done.
+// Ctrl-C: long work is asked to stop, so that it can leave nothing half done
+// (the thesis has none).
 #pragma once
 
 #include <stop_token>

@@ -65,8 +65,7 @@ int run_lut(const LutOptions& options, const Session& session) {
   timed(ms.write, [&] { quant::write_lut(output, lut); });
 
   const auto counts = quant::occupied_cells(image, choice.grid, choice.sample);
-  print(options.json ? as_json(counts, lut.chosen, ms)
-                     : as_text(output, counts, lut.chosen, ms));
+  print(options.json ? as_json(counts, lut.chosen, ms) : as_text(output, counts, lut.chosen, ms));
   detail(session, output.string() + " written");
   return kDone;
 }

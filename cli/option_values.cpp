@@ -68,12 +68,13 @@ std::string known_effects() {
   return list;
 }
 
-std::filesystem::path scene_base(const std::filesystem::path& base) {
+std::filesystem::path given_base(const std::filesystem::path& base) {
   const std::string suffix = fold_keyword(base.extension().string());
   std::error_code ignored;
-  const bool is_scene_file =
-      suffix == ".csg" || suffix == ".cam" || suffix == ".luz" || suffix == ".sup";
-  if (!is_scene_file || !std::filesystem::is_regular_file(base, ignored)) return base;
+  bool is_of_image = false;
+  for (const char* known : {".csg", ".cam", ".luz", ".sup", ".r", ".g", ".b"})
+    is_of_image = is_of_image || suffix == known;
+  if (!is_of_image || !std::filesystem::is_regular_file(base, ignored)) return base;
   return std::filesystem::path(base).replace_extension();
 }
 

@@ -25,7 +25,8 @@ bool parse_effects(std::string_view text, EffectSet& effects);
 /// The names of the effects, for a help text.
 std::string known_effects();
 
-/// BASE as it was meant: a name of one of the four files gives its base.
-std::filesystem::path scene_base(const std::filesystem::path& base);
+/// BASE as it was meant: the name of one of the scene's files or planes gives
+/// its base; anything else stays as it is.
+std::filesystem::path given_base(const std::filesystem::path& base);
 
 }  // namespace sir::cli

@@ -8,8 +8,8 @@
 #include <memory>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "cli/hsv_command.h"
 #include "cli/interrupt.h"
@@ -94,8 +94,8 @@ CLI::Option* add_number(CLI::App* app, const std::string& name, double& value, d
 }
 
 void add_size(CLI::App* app, ImageSize& size, const std::string& help) {
-  add_parsed(app, "--size", size, parse_size, {"WxH", "WxH, both positive, at most 2^28 pixels in all"},
-             help);
+  add_parsed(app, "--size", size, parse_size,
+             {"WxH", "WxH, both positive, at most 2^28 pixels in all"}, help);
 }
 
 void add_precision(CLI::App* app, Precision& precision) {
@@ -113,7 +113,8 @@ void add_tracing(CLI::App* app, RenderOptions& options) {
   TraceOptions& trace = options.trace;
   add_size(app, options.size, "image size (640x480)");
   app->add_option("--depth", trace.depth_limit, "depth limit of the tree of rays (5)")
-      ->check(CLI::Range(1, 1'000'000))->type_name("N");
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("N");
   add_number(app, "--cutoff", trace.cutoff, 0, std::numeric_limits<double>::max(),
              "least weight of a secondary ray (0)");
   add_choice(app, "--past-limit", trace.past_limit,
@@ -133,19 +134,21 @@ void add_render(CLI::App& app, Action& action) {
   sub->add_option("--out", command->out, "folder of the outputs (beside BASE)")->type_name("DIR");
   add_tracing(sub, command->options);
   sub->add_option("--threads", command->options.threads, "threads (as many as cores)")
-      ->check(CLI::Range(1, 4096))->type_name("N");
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
   add_parsed(sub, "--region", command->options.region, parse_region,
              {"X,Y,W,H", "X,Y,W,H in pixels, W and H positive"},
              "render this rectangle of the image alone; the outputs hold nothing else");
-  sub->add_flag_callback("--no-png", [command] { command->png = false; }, "write the planes only");
+  sub->add_flag_callback(
+      "--no-png", [command] { command->png = false; }, "write the planes only");
   sub->add_flag("--stats", command->stats, "print counts and times as JSON");
   sub->callback([&action, command] {
     const Region& r = command->options.region;
     const ImageSize size = command->options.size;
     if (r.x + std::int64_t{r.width} > size.width || r.y + std::int64_t{r.height} > size.height)
-      throw CLI::ValidationError("--region", fmt::format("does not lie within {}x{}", size.width,
-                                                         size.height));
-    command->base = scene_base(command->base);
+      throw CLI::ValidationError("--region",
+                                 fmt::format("does not lie within {}x{}", size.width, size.height));
+    command->base = given_base(command->base);
     action = [command](const Session& session) { return run_render(*command, session); };
   });
 }
@@ -158,7 +161,7 @@ void add_probe(CLI::App& app, Action& action) {
   add_precision(sub, command->precision);
   add_engine(sub, command->engine);
   sub->callback([&action, command] {
-    command->base = scene_base(command->base);
+    command->base = given_base(command->base);
     action = [command](const Session& session) {
       const int code = run_probe(*command, std::cin, session);
       // A stream takes an error for the end; standard input's own flag tells.
@@ -174,7 +177,7 @@ void add_check(CLI::App& app, Action& action) {
   const auto base = std::make_shared<Path>();
   sub->add_option("BASE", *base, "the scene")->required();
   sub->callback([&action, base] {
-    action = [base](const Session& session) { return run_check(scene_base(*base), session); };
+    action = [base](const Session& session) { return run_check(given_base(*base), session); };
   });
 }
 
@@ -188,9 +191,9 @@ void add_trace(CLI::App& app, Action& action) {
   sub->callback([&action, command] {
     const ImageSize size = command->options.size;
     if (command->i < 0 || command->i >= size.width || command->j < 0 || command->j >= size.height)
-      throw CLI::ValidationError("I J", fmt::format("the pixel does not lie within {}x{}",
-                                                    size.width, size.height));
-    command->base = scene_base(command->base);
+      throw CLI::ValidationError(
+          "I J", fmt::format("the pixel does not lie within {}x{}", size.width, size.height));
+    command->base = given_base(command->base);
     action = [command](const Session& session) { return run_trace(*command, session); };
   });
 }
@@ -203,11 +206,11 @@ void add_lut(CLI::App& app, Action& action) {
   add_choice(sub, "--method", choice.method,
              {{"frequency", quant::Method::frequency}, {"median", quant::Method::median}},
              "how colours are chosen (median)");
-  add_choice(sub, "--space", choice.space,
-             {{"rgb", quant::Space::rgb}, {"hsv", quant::Space::hsv}},
+  add_choice(sub, "--space", choice.space, {{"rgb", quant::Space::rgb}, {"hsv", quant::Space::hsv}},
              "grid that colours are counted in (hsv)");
   add_choice(sub, "--split", choice.split,
-             {{"pixels", quant::SplitOrder::pixels}, {"breadth", quant::SplitOrder::breadth},
+             {{"pixels", quant::SplitOrder::pixels},
+              {"breadth", quant::SplitOrder::breadth},
               {"longest", quant::SplitOrder::longest}},
              "median: which box is split next (pixels)");
   add_number(sub, "--grey-s", choice.grid.grey_s, 0, 1,
@@ -217,11 +220,13 @@ void add_lut(CLI::App& app, Action& action) {
              {"HxSxV", "HxSxV: 1 to 1024 hues, 2 to 1024 levels of S and V, 2^24 cells"},
              "hsv: the grid (36x30x30)");
   sub->add_option("--sample", choice.sample, "count every Nth pixel only (1)")
-      ->check(CLI::Range(1, 1'000'000'000))->type_name("N");
+      ->check(CLI::Range(1, 1'000'000'000))
+      ->type_name("N");
   add_size(sub, options->size, "size of the planes (640x480)");
   sub->add_option("-o", options->output, "the LUT's file (BASE.LUT)")->type_name("FILE.LUT");
   sub->add_flag("--json", options->json, "print JSON");
   sub->callback([&action, options] {
+    options->input = given_base(options->input);
     action = [options](const Session& session) { return run_lut(*options, session); };
   });
 }
@@ -231,7 +236,8 @@ void add_show(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ShowOptions>();
   sub->add_option("IMAGE", options->inputs, "BASE (planes) or FILE.png; several in a window")
       ->required();
-  sub->add_option("--lut", options->lut, "the LUT (BASE.LUT, else median in hsv)")->type_name("FILE");
+  sub->add_option("--lut", options->lut, "the LUT (BASE.LUT, else median in hsv)")
+      ->type_name("FILE");
   sub->add_option("--png", options->png, "write the screen as indexed PNG, open no window")
       ->type_name("OUT.png");
   sub->add_flag("--crop", options->crop, "the image's area alone; also admits larger images");
@@ -243,6 +249,7 @@ void add_show(CLI::App& app, Action& action) {
   sub->callback([&action, options, named] {
     if (options->png && options->inputs.size() > 1)
       throw CLI::ValidationError("--png", "takes one image");
+    for (Path& input : options->inputs) input = given_base(input);
     action = [options](const Session& session) { return run_show(*options, session); };
   });
 }
@@ -251,10 +258,14 @@ void add_planes(CLI::App& app, Action& action) {
   auto* sub = app.add_subcommand("planes", "Planes to PNG (BASE), or back (FILE.png)");
   const auto options = std::make_shared<PlanesOptions>();
   sub->add_option("IMAGE", options->input, "BASE (planes) or FILE.png")->required();
-  sub->add_option("-o", options->output, "the PNG's file, or the planes' base name")->type_name("FILE");
-  sub->add_option("--out", options->folder, "folder of the outputs")->type_name("DIR");
+  auto* file = sub->add_option("-o", options->output, "the PNG's file, or the planes' base name");
+  file->type_name("FILE");
+  sub->add_option("--out", options->folder, "folder of the outputs")
+      ->type_name("DIR")
+      ->excludes(file);
   add_size(sub, options->size, "size of the planes (640x480)");
   sub->callback([&action, options] {
+    options->input = given_base(options->input);
     action = [options](const Session& session) { return run_planes(*options, session); };
   });
 }
@@ -273,10 +284,10 @@ void add_table(CLI::App& app, Action& action) {
 }
 
 void add_hsv(CLI::App& app, Action& action) {
-  auto* sub = app.add_subcommand("hsv", "Bytes `r g b` in, one a line; their place in the HSV grid out");
-  sub->callback([&action] {
-    action = [](const Session& session) { return run_hsv(stdin, session); };
-  });
+  auto* sub =
+      app.add_subcommand("hsv", "Bytes `r g b` in, one a line; their place in the HSV grid out");
+  sub->callback(
+      [&action] { action = [](const Session& session) { return run_hsv(stdin, session); }; });
 }
 
 }  // namespace
@@ -305,14 +316,15 @@ int run(int argc, char** argv) {
     const bool is_answer = error.get_exit_code() == 0;  // --help, --version
     // CLI11 would only say that a subcommand is required.
     if (!is_answer && app.get_subcommands().empty() && !app.remaining().empty()) {
-      std::cerr << "there is no command or option " << app.remaining().front()
+      std::cerr << "sir: there is no command or option " << app.remaining().front()
                 << "\nRun with --help for more information.\n";
       return kUsage;
     }
     // Not to std::cout: CLI11 flushes it, and a full disk would go unnoticed.
-    std::ostringstream out;
-    app.exit(error, out, std::cerr);
+    std::ostringstream out, wrong;
+    app.exit(error, out, wrong);
     print(out.str());
+    if (!is_answer) std::cerr << "sir: " << wrong.str();
     return is_answer ? kDone : kUsage;
   }
   return action(session);

@@ -58,9 +58,8 @@ int run_probe(const ProbeCommand& command, std::istream& in, const Session&) {
       const auto& hits = prober->hits(origin, direction);
       // JSON has no infinity.
       if (!hits.empty() && !std::isfinite(hits.back().t))
-        wrong = "the direction is too short: t exceeds the largest number";
-      else
-        append_hits(text, hits);
+        wrong = "origin, direction and t do not all fit into the range of numbers";
+      else append_hits(text, hits);
     }
     if (!wrong.empty()) {
       text += "{\"error\":\"" + wrong + "\"}\n";

@@ -1,4 +1,5 @@
-// `sir probe`: rays on standard input, their boundaries on standard output.
+// `sir probe`: rays on standard input, their boundaries on standard output
+// (RAY-TRACING, thesis 2.3.6).
 #pragma once
 
 #include <filesystem>

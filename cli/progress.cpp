@@ -10,8 +10,10 @@ using std::chrono::duration;
 using std::chrono::steady_clock;
 
 Progress::Progress(const Session& session, std::string label)
-    : label_(std::move(label)), enabled_(!session.quiet && isatty(STDERR_FILENO) == 1),
-      start_(steady_clock::now()), last_(start_) {}
+    : label_(std::move(label)),
+      enabled_(!session.quiet && isatty(STDERR_FILENO) == 1),
+      start_(steady_clock::now()),
+      last_(start_) {}
 
 std::function<void(double)> Progress::callback() {
   if (!enabled_) return {};

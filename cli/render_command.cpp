@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/interrupt.h"
+#include "cli/output_path.h"
 #include "cli/progress.h"
 #include "tracer/atomic_file.h"
-#include "tracer/error.h"
 #include "tracer/scene_file.h"
 #include "tracer/scene_path.h"
 #include "viewer/png_file.h"
@@ -49,17 +49,6 @@ void refuse_inputs(const std::filesystem::path& base, const RenderCommand& comma
 
 }  // namespace
 
-std::filesystem::path output_base(const std::filesystem::path& base,
-                                  const std::optional<std::filesystem::path>& out) {
-  if (!out) return base;
-  std::error_code failure;
-  std::filesystem::create_directories(*out, failure);
-  if (failure || !std::filesystem::is_directory(*out))
-    throw FileError(out->string(), 0,
-                    "cannot be made a folder" + (failure ? ": " + failure.message() : ""));
-  return *out / base.filename();
-}
-
 int run_render(const RenderCommand& command, const Session& session) {
   const Scene scene = read_scene(command.base);
   const auto base = output_base(command.base, command.out);
@@ -77,11 +66,10 @@ int run_render(const RenderCommand& command, const Session& session) {
     written += " " + png.string();
   }
   const auto& rays = result.counts;
-  detail(session,
-         fmt::format("{}: {}x{}, {} rays in {:.0f} ms", base.string(), result.planes.size.width,
-                     result.planes.size.height,
-                     rays.primary + rays.reflected + rays.refracted + rays.shadow,
-                     result.trace_seconds * 1e3));
+  detail(session, fmt::format("{}: {}x{}, {} rays in {:.0f} ms", base.string(),
+                              result.planes.size.width, result.planes.size.height,
+                              rays.primary + rays.reflected + rays.refracted + rays.shadow,
+                              result.trace_seconds * 1e3));
   note(session, "wrote " + written);
   if (command.stats) print(stats_json(command, scene, result));
   return kDone;

@@ -1,4 +1,4 @@
-// `sir render`: BASE's four files to planes and PNG.
+// `sir render`: BASE's four files to planes and PNG (SIR, thesis 3.3).
 #pragma once
 
 #include <filesystem>
@@ -20,10 +20,5 @@ struct RenderCommand {
 /// Writes BASE.R, BASE.G, BASE.B and BASE.png; with `stats` a JSON object to
 /// standard output. Returns an exit code; throws FileError.
 int run_render(const RenderCommand& command, const Session& session);
-
-/// The path of BASE's outputs: in the folder `out`, which is created, or beside
-/// BASE.
-std::filesystem::path output_base(const std::filesystem::path& base,
-                                  const std::optional<std::filesystem::path>& out);
 
 }  // namespace sir::cli

@@ -30,18 +30,16 @@ std::size_t depth_of(const CsgTree& tree) {
   return deepest;
 }
 
-std::string counted(std::size_t count, const std::string& name) {
-  return fmt::format("{} {}{}", count, name, count == 1 ? "" : "s");
-}
-
-std::string counted(const std::map<std::string, std::size_t>& counts) {
+std::string listed(const std::map<std::string, std::size_t>& counts) {
   std::string text;
   for (const auto& [name, count] : counts)
     if (count > 0) text += (text.empty() ? "" : ", ") + counted(count, name);
   return text.empty() ? "none" : text;
 }
 
-std::string vector_text(const glm::dvec3& v) { return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z); }
+std::string vector_text(const glm::dvec3& v) {
+  return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z);
+}
 
 }  // namespace
 
@@ -61,9 +59,9 @@ int run_check(const std::filesystem::path& base, const Session& session) {
     used.insert(node.surfaces.begin(), node.surfaces.begin() + face_count(node.kind));
   }
   std::string text = fmt::format("{}: all four files are right\n", base.string());
-  text += fmt::format("  solid       {}, {}; {}; {}\n", counted(scene.tree.nodes.size(), "node"),
-                      counted(depth_of(scene.tree), "level"), counted(primitives),
-                      counted(operations));
+  text +=
+      fmt::format("  solid       {}, {}; {}; {}\n", counted(scene.tree.nodes.size(), "node"),
+                  counted(depth_of(scene.tree), "level"), listed(primitives), listed(operations));
   auto bounds = model.solid.hierarchy.bounds();
   // Envelopes are widened by the rounding of a hit: 0 is shown, not -1e-14.
   const double small = 1e-9 * glm::length(bounds.high - bounds.low);
@@ -74,9 +72,10 @@ int run_check(const std::filesystem::path& base, const Session& session) {
                       vector_text(bounds.high));
   text += fmt::format("  surfaces    {} described, {} used\n", scene.surfaces.size(), used.size());
   const CameraFile& camera = scene.camera;
-  text += fmt::format("  camera      window {:g} x {:g}, target {}, distance {:g}, {}\n",
-                      camera.window.x, camera.window.y, vector_text(camera.target), camera.distance,
-                      camera.parallel ? "parallel" : fmt::format("focal distance {:g}", camera.focal));
+  text +=
+      fmt::format("  camera      window {:g} x {:g}, target {}, distance {:g}, {}\n",
+                  camera.window.x, camera.window.y, vector_text(camera.target), camera.distance,
+                  camera.parallel ? "parallel" : fmt::format("focal distance {:g}", camera.focal));
   text += fmt::format("  light       background {}, ambient {}, {}\n",
                       vector_text(scene.lighting.background), vector_text(scene.lighting.ambient),
                       counted(scene.lighting.lights.size(), "light"));

@@ -1,4 +1,5 @@
-// `sir check` and `sir trace`: looking into a scene without rendering it.
+// `sir check` and `sir trace`: looking into a scene without rendering
+// it (thesis 3.6 and 2.4.2).
 #pragma once
 
 #include <filesystem>

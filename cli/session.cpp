@@ -11,12 +11,14 @@ namespace sir::cli {
 
 void print(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
-    throw FileError("standard output", 0, std::string("cannot be written: ") + std::strerror(errno));
+    throw FileError("standard output", 0,
+                    std::string("cannot be written: ") + std::strerror(errno));
 }
 
 void flush_output() {
   if (std::fflush(stdout) != 0)
-    throw FileError("standard output", 0, std::string("cannot be written: ") + std::strerror(errno));
+    throw FileError("standard output", 0,
+                    std::string("cannot be written: ") + std::strerror(errno));
 }
 
 void note(const Session& session, std::string_view text) {

@@ -5,12 +5,12 @@
 
 namespace sir::cli {
 
-/// Exit codes of the command line contract.
+/// Exit codes of the program.
 enum ExitCode : int {
   kDone = 0,
-  kFailed = 1,       ///< bad input or failed work
-  kUsage = 2,        ///< wrong usage
-  kThreshold = 3,    ///< a threshold that was asked for is not met
+  kFailed = 1,     ///< bad input or failed work
+  kUsage = 2,      ///< wrong usage
+  kThreshold = 3,  ///< a threshold that was asked for is not met
   kInterrupted = 130
 };
 

@@ -58,6 +58,8 @@ int write_png(const ShowOptions& options, const Session& session) {
   const auto& input = options.inputs.front();
   refuse_input_file(*options.png, input);
   const viewer::ScreenView view({prepare(input, options, session)}, options.crop);
+  if (options.png->extension() == ".LUT" || options.png->extension() == ".lut")
+    throw FileError(options.png->string(), 0, "is a LUT's name; the screen is written as PNG");
   viewer::write_indexed_png(*options.png, view.capture());
   return kDone;
 }
@@ -81,12 +83,6 @@ int open_window(const ShowOptions&, const Session&) {
 }  // namespace
 
 int run_show(const ShowOptions& options, const Session& session) {
-  if (options.inputs.empty() || (options.png && options.inputs.size() > 1)) {
-    // Said in spite of -q: it is an error.
-    note(Session{}, options.inputs.empty() ? "show: an image is needed"
-                                           : "show: --png takes one image only");
-    return kUsage;
-  }
   return options.png ? write_png(options, session) : open_window(options, session);
 }
 

@@ -13,7 +13,7 @@ namespace sir::cli {
 struct ShowOptions {
   std::vector<std::filesystem::path> inputs;  ///< base names or PNG files; at least one
   std::optional<std::filesystem::path> lut;   ///< for all inputs
-  std::optional<std::filesystem::path> png;   ///< write this file, open no window
+  std::optional<std::filesystem::path> png;   ///< write this file, open no window; one input
   ImageSize size;                             ///< of planes
   bool crop = false;                          ///< the image's area alone
 };

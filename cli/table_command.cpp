@@ -75,7 +75,8 @@ fs::path find_images(const std::optional<fs::path>& given) {
                                        program / "../share/sir/images"};
   for (const fs::path& place : places)
     if (fs::exists(place / "whitted.CSG", ignored)) return place.lexically_normal();
-  throw FileError("images", 0, "the folder of the five scenes is not here; name it by --images DIR");
+  throw FileError("images", 0,
+                  "the folder of the five scenes is not here; name it by --images DIR");
 }
 
 // What the thesis timed, from the planes' files to the LUT's.
@@ -87,7 +88,8 @@ double run_once(const fs::path& planes, quant::Space space, const fs::path& lut_
   // Not by write_lut(): waiting for the disk to be sure of a file that nobody
   // keeps would drown everything else.
   std::ofstream(lut_file) << quant::lut_text(lut) << std::flush;
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
 }
 
 double median(std::vector<double> values) {

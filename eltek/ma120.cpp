@@ -16,18 +16,18 @@ void Ma120::scan_line(int row, std::span<Rgb8, FrameBuffer::kColumns> line) cons
 Screen Ma120::scan_out() const {
   Screen screen{kSize, std::vector<Rgb8>(kSize.pixels())};
   for (int row = 0; row < kSize.height; ++row)
-    scan_line(row, std::span<Rgb8, FrameBuffer::kColumns>(
-                       &screen.pixels[screen.offset(0, row)], FrameBuffer::kColumns));
+    scan_line(row, std::span<Rgb8, FrameBuffer::kColumns>(&screen.pixels[screen.offset(0, row)],
+                                                          FrameBuffer::kColumns));
   return screen;
 }
 
 IndexedScreen Ma120::capture() const {
   IndexedScreen screen{kSize, std::vector<std::uint8_t>(kSize.pixels()), palette()};
   for (int row = 0; row < kSize.height; ++row)
-    frame_buffer.read_row(0, row,
-                          std::span(screen.indices)
-                              .subspan(static_cast<std::size_t>(row) * FrameBuffer::kColumns,
-                                       FrameBuffer::kColumns));
+    frame_buffer.read_row(
+        0, row,
+        std::span(screen.indices)
+            .subspan(static_cast<std::size_t>(row) * FrameBuffer::kColumns, FrameBuffer::kColumns));
   for (auto& index : screen.indices) index &= lut_ports.pixel_mask();
   return screen;
 }

@@ -16,8 +16,8 @@ std::vector<Code6> most_frequent(std::span<const Cell> cells, std::size_t entrie
   order.reserve(cells.size());
   for (const Cell& cell : cells) order.push_back(&cell);
   const std::size_t chosen = std::min(entries, cells.size());
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(chosen),
-                    order.end(), [](const Cell* a, const Cell* b) {
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(chosen), order.end(),
+                    [](const Cell* a, const Cell* b) {
                       if (a->pixels != b->pixels) return a->pixels > b->pixels;
                       return a < b;  // both point into `cells`: the one that stands first
                     });

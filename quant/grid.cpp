@@ -50,9 +50,8 @@ Code6 RgbGrid::code(const PointSum& mean) const {
 bool HsvGridShape::valid() const {
   const auto between = [](auto low, auto x, auto high) { return low <= x && x <= high; };
   return between(1, hues, kMaxLevels) && between(2, saturations, kMaxLevels) &&
-         between(2, values, kMaxLevels) &&
-         std::int64_t{hues} * saturations * values <= kMaxCells && between(0.0, grey_s, 1.0) &&
-         between(0.0, grey_v, 1.0);
+         between(2, values, kMaxLevels) && std::int64_t{hues} * saturations * values <= kMaxCells &&
+         between(0.0, grey_s, 1.0) && between(0.0, grey_v, 1.0);
 }
 
 bool parse_grid(std::string_view text, HsvGridShape& shape) {
@@ -102,8 +101,8 @@ std::size_t HsvGrid::cell(Rgb8 colour) const {
   return static_cast<std::size_t>((h * shape_.saturations + s) * shape_.values + v);
 }
 
-void HsvGrid::locate(const std::uint8_t* red, const std::uint8_t* green,
-                     const std::uint8_t* blue, std::span<std::uint32_t> cells) const {
+void HsvGrid::locate(const std::uint8_t* red, const std::uint8_t* green, const std::uint8_t* blue,
+                     std::span<std::uint32_t> cells) const {
   // The same as cell() without a branch and in floats, which every processor
   // multiplies and divides four or more at a time. It is exact: all whole
   // numbers stay below 2^24, and a quotient (below 1025) that is not whole is

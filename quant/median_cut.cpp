@@ -98,9 +98,8 @@ class BoxList {
   void split(std::size_t i) {
     const Box box = boxes_[i];
     const int last = median_coordinate(box);
-    const auto middle = std::partition(box.cells.begin(), box.cells.end(), [&](const Cell& cell) {
-      return cell.at[box.axis] <= last;
-    });
+    const auto middle = std::partition(box.cells.begin(), box.cells.end(),
+                                       [&](const Cell& cell) { return cell.at[box.axis] <= last; });
     const auto lower = static_cast<std::size_t>(middle - box.cells.begin());
     boxes_[i] = shrunk_box(box.cells.first(lower));
     boxes_.insert(boxes_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
@@ -119,12 +118,8 @@ std::vector<Code6> median_cut(std::span<const Cell> cells, std::size_t entries, 
   std::vector<Cell> own(cells.begin(), cells.end());
   BoxList list(own, entries);
   switch (order) {
-    case SplitOrder::pixels:
-      list.split_greatest([](const Box& box) { return box.pixels; });
-      break;
-    case SplitOrder::longest:
-      list.split_greatest([](const Box& box) { return box.length; });
-      break;
+    case SplitOrder::pixels: list.split_greatest([](const Box& box) { return box.pixels; }); break;
+    case SplitOrder::longest: list.split_greatest([](const Box& box) { return box.length; }); break;
     case SplitOrder::breadth: list.split_rounds(); break;
   }
   std::vector<Code6> codes;

@@ -100,8 +100,8 @@ std::uint8_t NearestSearch::operator()(Rgb8 colour) {
   std::uint32_t best = 0xFFFFFFFF;
   const Candidate* const first = candidates_.data() + range.first;
   for (const Candidate* entry = first; entry != first + range.count; ++entry)
-    best = std::min(best, ranked(entry->r - colour.r, entry->g - colour.g, entry->b - colour.b,
-                                 entry->index));
+    best = std::min(
+        best, ranked(entry->r - colour.r, entry->g - colour.g, entry->b - colour.b, entry->index));
   return static_cast<std::uint8_t>(best);
 }
 

@@ -151,7 +151,8 @@ TEST(Classify, SecondaryRaysNeverMeetTheSurfaceTheyLeave) {
 TEST(Classify, AwkwardSizesHaveExactFaces) {
   const auto hits = [](PrimitiveKind kind, const Placement& placement, glm::dvec3 o, glm::dvec3 d) {
     SceneBuilder build;
-    return make_prober(build.finish(build.primitive(kind, placement)), Precision::double_)->hits(o, d);
+    return make_prober(build.finish(build.primitive(kind, placement)), Precision::double_)
+        ->hits(o, d);
   };
   const Placement by49 = test::placed(glm::dvec3(49), {0, 0, 0});
   EXPECT_TRUE(hits(PrimitiveKind::sphere, by49, {49, 0, -5}, {0, 0, 1}).empty()) << "tangent";
@@ -161,9 +162,11 @@ TEST(Classify, AwkwardSizesHaveExactFaces) {
   EXPECT_EQ(starts[0].t, 0);
   Placement shear = test::placed(glm::dvec3(3), {0, 0, 0});
   shear.linear[1].x = 1;
-  EXPECT_TRUE(hits(PrimitiveKind::cube, shear, {3, 0, -5}, {0, 0, 1}).empty()) << "in a sheared face";
-  EXPECT_TRUE(hits(PrimitiveKind::cone, test::placed({3, 3, 2}, {2, -2, 1}), {0, 3, 1}, {1, -1, 0})
-                  .empty()) << "along a generator";
+  EXPECT_TRUE(hits(PrimitiveKind::cube, shear, {3, 0, -5}, {0, 0, 1}).empty())
+      << "in a sheared face";
+  EXPECT_TRUE(
+      hits(PrimitiveKind::cone, test::placed({3, 3, 2}, {2, -2, 1}), {0, 3, 1}, {1, -1, 0}).empty())
+      << "along a generator";
   // (1,2,2) lies on the sphere of radius 3, (3,4) on the circle of radius 5.
   const Placement by3 = test::placed(glm::dvec3(3), {0, 0, 0});
   EXPECT_TRUE(hits(PrimitiveKind::sphere, by3, {5, 0, 2}, {-2, 1, 0}).empty()) << "oblique tangent";
@@ -185,7 +188,8 @@ Scene alternating_chain(int depth) {
   for (int i = 1; i < depth; ++i) {
     const auto next = build.cube({i, -1, -1}, {i + 0.5, 1, 1});
     const auto cut = build.cube({i + 0.25, -2, -2}, {i + 0.75, 2, 2});
-    solid = build.combine(Operation::difference, build.combine(Operation::union_of, solid, next), cut);
+    solid =
+        build.combine(Operation::difference, build.combine(Operation::union_of, solid, next), cut);
   }
   return build.finish(solid);
 }

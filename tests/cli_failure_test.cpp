@@ -1,4 +1,6 @@
 // The program from outside: wrong usage, bad input, broken outputs, Ctrl-C.
+#include <sys/resource.h>
+
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -19,49 +21,49 @@ TEST_F(CliTest, WrongUsageExitsWith2AndNamesTheOption) {
     Names words;
     const char* named;
   };
-  for (const Wrong& wrong : std::vector<Wrong>{
-           {{}, "subcommand"},
-           {{"paint", "s"}, "paint"},
-           {{"--frob"}, "--frob"},
-           {{"render"}, "BASE"},
-           {{"render", "s", "--frob"}, "--frob"},
-           {{"render", "s", "t"}, "t"},
-           {{"render", "s", "--size"}, "--size"},
-           {{"render", "s", "--size", "640"}, "--size"},
-           {{"render", "s", "--size", "640X480"}, "--size"},
-           {{"render", "s", "--size", "0x480"}, "--size"},
-           {{"render", "s", "--size", "-1x480"}, "--size"},
-           {{"render", "s", "--size", "99999x99999"}, "--size"},
-           {{"render", "s", "--depth", "0"}, "--depth"},
-           {{"render", "s", "--depth", "two"}, "--depth"},
-           {{"render", "s", "--cutoff", "-1"}, "--cutoff"},
-           {{"render", "s", "--cutoff", "nan"}, "--cutoff"},
-           {{"render", "s", "--cutoff", "0,1"}, "--cutoff"},
-           {{"render", "s", "--past-limit", "one"}, "--past-limit"},
-           {{"render", "s", "--threads", "0"}, "--threads"},
-           {{"render", "s", "--precision", "half"}, "--precision"},
-           {{"render", "s", "--effects", "shadow,glow"}, "--effects"},
-           {{"render", "s", "--effects", ""}, "--effects"},
-           {{"render", "s", "--region", "0,0,8"}, "--region"},
-           {{"render", "s", "--region", "0,0,0,8"}, "--region"},
-           {{"render", "s", "--region", "640,0,1,1"}, "--region"},
-           {{"render", "s", "--region", "2147483647,0,2147483647,1"}, "--region"},
-           {{"trace", "s", "640", "0"}, "I J"},
-           {{"trace", "s", "x", "0"}, "I"},
-           {{"trace", "s", "0"}, "J"},
-           {{"probe", "s", "--precision", "quad"}, "--precision"},
-           {{"lut", "s", "--method", "guess"}, "--method"},
-           {{"lut", "s", "--space", "lab"}, "--space"},
-           {{"lut", "s", "--split", "x"}, "--split"},
-           {{"lut", "s", "--grey-s", "1.5"}, "--grey-s"},
-           {{"lut", "s", "--grey-v", "nan"}, "--grey-v"},
-           {{"lut", "s", "--grid", "36x30"}, "--grid"},
-           {{"lut", "s", "--sample", "0"}, "--sample"},
-           {{"show"}, "IMAGE"},
-           {{"show", "s", "s", "--png", "x.png"}, "--png"},
-           {{"planes", "s", "-o", "a", "--out", "b"}, "-o"},
-           {{"table", "--repeats", "0"}, "--repeats"},
-           {{"hsv", "file"}, "file"}}) {
+  for (const Wrong& wrong :
+       std::vector<Wrong>{{{}, "subcommand"},
+                          {{"paint", "s"}, "paint"},
+                          {{"--frob"}, "--frob"},
+                          {{"render"}, "BASE"},
+                          {{"render", "s", "--frob"}, "--frob"},
+                          {{"render", "s", "t"}, "t"},
+                          {{"render", "s", "--size"}, "--size"},
+                          {{"render", "s", "--size", "640"}, "--size"},
+                          {{"render", "s", "--size", "640X480"}, "--size"},
+                          {{"render", "s", "--size", "0x480"}, "--size"},
+                          {{"render", "s", "--size", "-1x480"}, "--size"},
+                          {{"render", "s", "--size", "99999x99999"}, "--size"},
+                          {{"render", "s", "--depth", "0"}, "--depth"},
+                          {{"render", "s", "--depth", "two"}, "--depth"},
+                          {{"render", "s", "--cutoff", "-1"}, "--cutoff"},
+                          {{"render", "s", "--cutoff", "nan"}, "--cutoff"},
+                          {{"render", "s", "--cutoff", "0,1"}, "--cutoff"},
+                          {{"render", "s", "--past-limit", "one"}, "--past-limit"},
+                          {{"render", "s", "--threads", "0"}, "--threads"},
+                          {{"render", "s", "--precision", "half"}, "--precision"},
+                          {{"render", "s", "--effects", "shadow,glow"}, "--effects"},
+                          {{"render", "s", "--effects", ""}, "--effects"},
+                          {{"render", "s", "--region", "0,0,8"}, "--region"},
+                          {{"render", "s", "--region", "0,0,0,8"}, "--region"},
+                          {{"render", "s", "--region", "640,0,1,1"}, "--region"},
+                          {{"render", "s", "--region", "2147483647,0,2147483647,1"}, "--region"},
+                          {{"trace", "s", "640", "0"}, "I J"},
+                          {{"trace", "s", "x", "0"}, "I"},
+                          {{"trace", "s", "0"}, "J"},
+                          {{"probe", "s", "--precision", "quad"}, "--precision"},
+                          {{"lut", "s", "--method", "guess"}, "--method"},
+                          {{"lut", "s", "--space", "lab"}, "--space"},
+                          {{"lut", "s", "--split", "x"}, "--split"},
+                          {{"lut", "s", "--grey-s", "1.5"}, "--grey-s"},
+                          {{"lut", "s", "--grey-v", "nan"}, "--grey-v"},
+                          {{"lut", "s", "--grid", "36x30"}, "--grid"},
+                          {{"lut", "s", "--sample", "0"}, "--sample"},
+                          {{"show"}, "IMAGE"},
+                          {{"show", "s", "s", "--png", "x.png"}, "--png"},
+                          {{"planes", "s", "-o", "a", "--out", "b"}, "-o"},
+                          {{"table", "--repeats", "0"}, "--repeats"},
+                          {{"hsv", "file"}, "file"}}) {
     const Ended ended = sir(wrong.words);
     std::string command = "sir";
     for (const std::string& word : wrong.words) command += " " + word;
@@ -92,7 +94,7 @@ TEST_F(CliTest, MalformedFilesGiveOneLineAndNoOutput) {
            {"s.CSG", "0 0 1 0", "0 0 1e999 0", "\"1e999\" is not a finite number"},
            {"s.CSG", "0 0 1 0", "0 1 0 0", "s.CSG:17: node 1 \"caixa\": LOCAL_CENA is singular"},
            {"s.CSG", "0 0 1 0", "0 0 1 1", "s.CSG:19: node 1 \"caixa\": the fourth column"},
-           {"s.CSG", "CUBO\n1", "CUBO\n3", "s.CSG:12: node 1 \"caixa\": surface 3 is not"},
+           {"s.CSG", "CUBO\n1", "CUBO\n3", "s.CSG:16: node 1 \"caixa\": surface 3 is not"},
            {"s.CAM", "\n4\n", "\n-4\n", "s.CAM:4: "},
            {"s.CAM", "0 1 0", "1 1 1", "s.CAM:5: the up vector"},
            {"s.LUZ", "5 6 7 1", "5 6 7", "s.LUZ:4: light 1: "},
@@ -182,16 +184,20 @@ TEST_F(CliTest, InputsAreNeverOverwritten) {
     Names words;
     const char* input;
   };
-  for (const Refused& refused : std::vector<Refused>{
-           {{"planes", "s.png", "-o", "s.png"}, "s.png"},
-           {{"planes", "s", "--size", "64x48", "-o", "s.R"}, "s.R"},
-           {{"lut", "s.png", "-o", "s.png"}, "s.png"},
-           {{"lut", "s.png", "-o", "./link.png"}, "s.png"},
-           {{"lut", "s", "--size", "64x48", "-o", "s.B"}, "s.B"},
-           {{"show", "s.png", "--png", "s.png"}, "s.png"},
-           {{"show", "link.png", "--png", "s.png"}, "s.png"},
-           {{"show", "s", "--size", "64x48", "--png", "s.G"}, "s.G"},
-           {{"show", "s.png", "--lut", "s.LUT", "--png", "s.LUT"}, "s.LUT"}}) {
+  for (const Refused& refused :
+       std::vector<Refused>{{{"planes", "s.png", "-o", "s.png"}, "s.png"},
+                            {{"planes", "s", "--size", "64x48", "-o", "s.R"}, "s.R"},
+                            {{"lut", "s.png", "-o", "s.png"}, "s.png"},
+                            {{"lut", "s.png", "-o", "./link.png"}, "s.png"},
+                            {{"lut", "s", "--size", "64x48", "-o", "s.B"}, "s.B"},
+                            {{"show", "s.png", "--png", "s.png"}, "s.png"},
+                            {{"show", "link.png", "--png", "s.png"}, "s.png"},
+                            {{"show", "s", "--size", "64x48", "--png", "s.G"}, "s.G"},
+                            {{"show", "s.png", "--lut", "s.LUT", "--png", "s.LUT"}, "s.LUT"},
+                            {{"lut", "s", "--size", "64x48", "-o", "s.CSG"}, "s.CSG"},
+                            {{"lut", "s.png", "-o", "s.SUP"}, "s.SUP"},
+                            {{"show", "s", "--size", "64x48", "--png", "s.LUZ"}, "s.LUZ"},
+                            {{"planes", "s", "--size", "64x48", "-o", "s.CAM"}, "s.CAM"}}) {
     const std::string before = folder.read(refused.input);
     expect_failure(sir(refused.words), "is an input and is not overwritten");
     EXPECT_EQ(folder.read(refused.input), before);
@@ -237,6 +243,19 @@ TEST_F(CliTest, AFullDiskOrAClosedPipeIsReported) {
   }
 }
 
+TEST_F(CliTest, ALimitOnFileSizesIsReported) {
+  rlimit old{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old), 0);
+  rlimit small = old;
+  small.rlim_cur = 1000;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const Names before = folder.list();
+  const Ended ended = sir({"render", "s", "-q", "--size", "64x48"});
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old), 0);
+  expect_failure(ended, "cannot be written: File too large");
+  EXPECT_EQ(folder.list(), before);
+}
+
 // A glass ball that fills the window: every pixel takes hundreds of rays.
 TEST_F(CliTest, CtrlCLeavesNothingAndExitsWith130) {
   if (!terminals_exist()) GTEST_SKIP() << "no terminal to be had (/dev/pts)";
@@ -247,8 +266,10 @@ TEST_F(CliTest, CtrlCLeavesNothingAndExitsWith130) {
   const Names before = folder.list();
   Start start;
   start.err_is_terminal = true;
-  Program program(SIR_PROGRAM, {"render", (folder / "g").string(), "--size", "8000x6000",
-                                "--depth", "9", "--out", (folder / "o").string()}, start);
+  Program program(SIR_PROGRAM,
+                  {"render", (folder / "g").string(), "--size", "8000x6000", "--depth", "9",
+                   "--out", (folder / "o").string()},
+                  start);
   EXPECT_TRUE(program.wait_for(" s left"));  // progress, and so at work
   program.signal(SIGINT);
   const Ended ended = program.finish();

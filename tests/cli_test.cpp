@@ -85,9 +85,9 @@ TEST_F(CliTest, RenderMakesTheFolderOfTheOutputs) {
 TEST_F(CliTest, RenderOptionsThatDoNotChangeTheImage) {
   render();
   const Planes plain = read_planes(folder / "s", {64, 48});
-  for (const Names& more : {Names{"--threads", "1"}, Names{"--threads", "5"},
-                            Names{"--engine", "roth"}, Names{"--effects", "all"},
-                            Names{"--precision", "double", "--past-limit", "zero"}}) {
+  for (const Names& more :
+       {Names{"--threads", "1"}, Names{"--threads", "5"}, Names{"--engine", "roth"},
+        Names{"--effects", "all"}, Names{"--precision", "double", "--past-limit", "zero"}}) {
     Names words{"render", "s", "--size", "64x48", "--out", "o"};
     words.insert(words.end(), more.begin(), more.end());
     const Ended ended = sir(words);
@@ -99,8 +99,8 @@ TEST_F(CliTest, RenderOptionsThatDoNotChangeTheImage) {
 TEST_F(CliTest, RenderOptionsThatDo) {
   render();
   const Planes plain = read_planes(folder / "s", {64, 48});
-  for (const Names& more : {Names{"--depth", "1"}, Names{"--effects", "shadow,highlight"},
-                            Names{"--cutoff", "0.9"}}) {
+  for (const Names& more :
+       {Names{"--depth", "1"}, Names{"--effects", "shadow,highlight"}, Names{"--cutoff", "0.9"}}) {
     Names words{"render", "s", "--size", "64x48", "--out", "o"};
     words.insert(words.end(), more.begin(), more.end());
     EXPECT_EQ(sir(words).exit_code, 0) << more[0];
@@ -216,10 +216,10 @@ TEST_F(CliTest, ProbeAnswersLineByLine) {
 }
 
 TEST_F(CliTest, ProbeAnswersBadLinesInTheirPlace) {
-  const Ended ended = sir_reading(
-      "nan 0 0 0 0 1\n.2 .2 -5 0 0 1\n1 2 3\n0 0 0 0 0 0\n.2 .2 -5 0 0 1e-320\n" +
-          std::string(100'000, '1') + "\nx",
-      {"probe", "s"});
+  const Ended ended =
+      sir_reading("nan 0 0 0 0 1\n.2 .2 -5 0 0 1\n1 2 3\n0 0 0 0 0 0\n.2 .2 -5 0 0 1e-320\n" +
+                      std::string(100'000, '1') + "\nx",
+                  {"probe", "s"});
   EXPECT_EQ(ended.exit_code, 1);
   const auto lines = lines_of(ended.out);
   ASSERT_EQ(lines.size(), 7u);

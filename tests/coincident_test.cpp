@@ -1,4 +1,4 @@
-// Boundaries that coincide: the contract's regularisation (formats.md, .CSG).
+// Boundaries that coincide: regularised sets (docs/scene-format.md, .CSG).
 #include <gtest/gtest.h>
 
 #include "tests/scene_builder.h"

@@ -167,8 +167,8 @@ TEST(HsvGrid, ManyAtATimeEqualsOneByOneInAnyShape) {
     b[i] = i % 5 == 0 ? g[i] : static_cast<std::uint8_t>(random() >> 24);
   }
   std::vector<std::uint32_t> cells(r.size());
-  for (const char* const text : {"1x2x2", "7x5x3", "36x30x30", "360x100x90", "1024x128x128",
-                                 "16x1024x1024", "35x31x29"}) {
+  for (const char* const text :
+       {"1x2x2", "7x5x3", "36x30x30", "360x100x90", "1024x128x128", "16x1024x1024", "35x31x29"}) {
     HsvGridShape shape;
     ASSERT_TRUE(parse_grid(text, shape)) << text;
     shape.grey_s = 0.05;

@@ -36,9 +36,7 @@ TEST(Dac, OnlySixBitsAreWired) {
     EXPECT_EQ(dac_level(static_cast<std::uint8_t>(byte)), dac_level(byte & 63));
 }
 
-TEST(Dac, OneConverterPerPrimary) {
-  EXPECT_EQ(dac_colour({0, 32, 63}), (Rgb8{0, 130, 255}));
-}
+TEST(Dac, OneConverterPerPrimary) { EXPECT_EQ(dac_colour({0, 32, 63}), (Rgb8{0, 130, 255})); }
 
 }  // namespace
 }  // namespace sir::eltek

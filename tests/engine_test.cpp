@@ -28,7 +28,8 @@ void expect_same_boundaries(const Scene& scene, std::uint64_t seed, bool aligned
     for (std::size_t i = 0; i < a.size(); ++i) {
       ASSERT_EQ(a[i].t, b[i].t);
       ASSERT_EQ(a[i].entering, b[i].entering);
-      ASSERT_EQ(a[i].entering, i % 2 == (a[0].entering ? 0u : 1u)) << "entering and leaving alternate";
+      ASSERT_EQ(a[i].entering, i % 2 == (a[0].entering ? 0u : 1u))
+          << "entering and leaving alternate";
       ASSERT_EQ(a[i].node, b[i].node) << "seed " << seed << " ray " << n << " hit " << i;
       ASSERT_EQ(a[i].face, b[i].face);
       ASSERT_EQ(a[i].surface, b[i].surface);

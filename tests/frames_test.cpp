@@ -8,15 +8,25 @@ namespace sir {
 namespace {
 
 template <typename A, typename B>
-concept Adds = requires(A a, B b) { a + b; };
+concept Adds = requires(A a, B b) {
+  a + b;
+};
 template <typename A, typename B>
-concept Subtracts = requires(A a, B b) { a - b; };
+concept Subtracts = requires(A a, B b) {
+  a - b;
+};
 template <typename A, typename B>
-concept Dots = requires(A a, B b) { dot(a, b); };
+concept Dots = requires(A a, B b) {
+  dot(a, b);
+};
 template <typename M, typename A>
-concept Applies = requires(M m, A a) { m.apply(a); };
+concept Applies = requires(M m, A a) {
+  m.apply(a);
+};
 template <typename M, typename A>
-concept Unapplies = requires(M m, A a) { m.unapply(a); };
+concept Unapplies = requires(M m, A a) {
+  m.unapply(a);
+};
 
 // Mixed frames and mixed scalars must not compile; each line also has the
 // counterpart that must, or the check would be void.

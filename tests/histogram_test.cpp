@@ -39,9 +39,10 @@ TEST(Histogram, HoldsOccupiedCellsInTheGridsOrder) {
   image.set(5, {255, 7, 7});
   EXPECT_EQ(count_cells(image, RgbGrid()),
             (Histogram{{{0, 0, 0}, 2}, {{0, 1, 0}, 1}, {{31, 0, 0}, 3}}));
-  EXPECT_EQ(count_cells(image, HsvGrid()),
-            (Histogram{{{0, 28, 29}, 1}, {{0, 29, 28}, 1}, {{0, 29, 29}, 1}, {{36, 0, 0}, 1},
-                       {{36, 0, 1}, 2}}));
+  EXPECT_EQ(
+      count_cells(image, HsvGrid()),
+      (Histogram{
+          {{0, 28, 29}, 1}, {{0, 29, 28}, 1}, {{0, 29, 29}, 1}, {{36, 0, 0}, 1}, {{36, 0, 1}, 2}}));
 }
 
 TEST(Histogram, EqualsCountingOneByOne) {

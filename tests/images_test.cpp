@@ -75,8 +75,8 @@ TEST_P(Images, ScreenShowsTheNearestEntryOfEveryPixel) {
   const quant::Lut lut = quant::choose_lut(planes, {});
   const auto indices = quant::map_to_lut(planes, lut);
   eltek::Ma120 device;
-  const auto area = eltek::show_image(device, {GetParam(), planes.size, indices}, lut,
-                                      eltek::Oversize::refuse);
+  const auto area =
+      eltek::show_image(device, {GetParam(), planes.size, indices}, lut, eltek::Oversize::refuse);
   EXPECT_EQ(area.column, 192);
   EXPECT_EQ(area.row, 150);
   const eltek::Screen screen = device.scan_out();

@@ -79,12 +79,14 @@ TEST_P(Primitives, SpansAgreeWithMembershipAlongTheRay) {
                   0, 1e-11);
     }
     // The root itself, by bisection.
-    Quad out = span.enter - (Quad(span.leave) - span.enter) / 8, in = (Quad(span.enter) + span.leave) / 2;
+    Quad out = span.enter - (Quad(span.leave) - span.enter) / 8,
+         in = (Quad(span.enter) + span.leave) / 2;
     for (int k = 0; k < 100; ++k) {
       const Quad middle = (in + out) / 2;
       (inside_at(middle) > 0 ? in : out) = middle;
     }
-    ASSERT_NEAR(static_cast<double>((in - span.enter) / (Quad(1e-3) + span.leave - span.enter)), 0, 1e-10);
+    ASSERT_NEAR(static_cast<double>((in - span.enter) / (Quad(1e-3) + span.leave - span.enter)), 0,
+                1e-10);
   }
   EXPECT_GT(hits, 300);
 }
@@ -99,7 +101,8 @@ TEST_P(Primitives, FloatAgreesWithDouble) {
     Span<float> single;
     Span<double> exact;
     const bool a = intersect(GetParam(), RayLocal<float>{{o}, {d}}, 1.0f, single);
-    const bool b = intersect(GetParam(), RayLocal<double>{{glm::dvec3(o)}, {glm::dvec3(d)}}, 1.0, exact);
+    const bool b =
+        intersect(GetParam(), RayLocal<double>{{glm::dvec3(o)}, {glm::dvec3(d)}}, 1.0, exact);
     if (b && exact.leave - exact.enter < 1e-2) continue;  // nearly tangent
     if (a != b) {
       ASSERT_TRUE(a);
@@ -142,7 +145,15 @@ TEST(Intersect, CasesWorkedOutByHand) {
       {"sphere from inside", K::sphere, {0, 0, 0}, {0, 4, 0}, true, -0.25, 0.25, 0, 0},
       {"cylinder across", K::cylinder, {-3, 0.5, 0}, {1, 0, 0}, true, 2, 4, 2, 2},
       {"cylinder along its axis", K::cylinder, {0.25, 3, 0.25}, {0, -1, 0}, true, 2, 3, 1, 0},
-      {"cylinder in at the top, out at the side", K::cylinder, {0, 2, 0}, {1, -2, 0}, true, 0.5, 1, 1, 0},
+      {"cylinder in at the top, out at the side",
+       K::cylinder,
+       {0, 2, 0},
+       {1, -2, 0},
+       true,
+       0.5,
+       1,
+       1,
+       0},
       {"cylinder in a generator", K::cylinder, {1, 3, 0}, {0, -1, 0}, false, 0, 0, 0, 0},
       {"cylinder in the cap's plane", K::cylinder, {-3, 1, 0}, {1, 0, 0}, false, 0, 0, 0, 0},
       {"cylinder tangent", K::cylinder, {-3, 0.5, 1}, {1, 0, 0}, false, 0, 0, 0, 0},
@@ -152,8 +163,24 @@ TEST(Intersect, CasesWorkedOutByHand) {
       {"cone beside its axis", K::cone, {0.5, 3, 0}, {0, -1, 0}, true, 2.5, 3, 0, 1},
       {"cone along a generator", K::cone, {1, 0, 0}, {-1, 1, 0}, false, 0, 0, 0, 0},
       {"cone parallel to a generator", K::cone, {0, 0, 0}, {-1, 1, 0}, true, 0, 0.5, 1, 0},
-      {"cone parallel to a generator, from above", K::cone, {-1, 1, 0}, {1, -1, 0}, true, 0.5, 1, 0, 1},
-      {"cone parallel to a generator, the upper nappe", K::cone, {0, 1.5, 0}, {1, 1, 0}, false, 0, 0, 0, 0},
+      {"cone parallel to a generator, from above",
+       K::cone,
+       {-1, 1, 0},
+       {1, -1, 0},
+       true,
+       0.5,
+       1,
+       0,
+       1},
+      {"cone parallel to a generator, the upper nappe",
+       K::cone,
+       {0, 1.5, 0},
+       {1, 1, 0},
+       false,
+       0,
+       0,
+       0,
+       0},
       {"cone flat through the apex", K::cone, {-3, 1, 0}, {1, 0, 0}, false, 0, 0, 0, 0},
       {"cone's upper nappe", K::cone, {-3, 1.5, 0}, {1, 0, 0}, false, 0, 0, 0, 0},
       {"cone in the base's plane", K::cone, {-3, 0, 0}, {1, 0, 0}, false, 0, 0, 0, 0},
@@ -199,7 +226,8 @@ TEST(Intersect, FarQuadricsKeepTheirDigits) {
     const double half = std::sqrt(0.75);
     EXPECT_NEAR(span.enter, distance - half, 4e-16 * distance);
     EXPECT_NEAR(span.leave, distance + half, 4e-16 * distance);
-    ASSERT_TRUE(intersect_cylinder(RayLocal<double>{{{0.5, 0.5, distance}}, {{0, 0, -1}}}, 1.0, span));
+    ASSERT_TRUE(
+        intersect_cylinder(RayLocal<double>{{{0.5, 0.5, distance}}, {{0, 0, -1}}}, 1.0, span));
     EXPECT_NEAR(span.enter, distance - half, 4e-16 * distance);
     ASSERT_TRUE(intersect_cone(RayLocal<double>{{{0.25, 0.5, distance}}, {{0, 0, -1}}}, 1.0, span));
     EXPECT_NEAR(span.enter, distance - std::sqrt(0.25 - 0.0625), 4e-16 * distance);

@@ -130,8 +130,7 @@ TEST_F(LutFile, TakesAnyWhiteSpaceAndBlankLines) {
 }
 
 TEST_F(LutFile, NamesTheLineThatIsWrong) {
-  EXPECT_EQ(error_of(lines(255)),
-            ":255: the file ends where entry 255 of 0 to 255 should stand");
+  EXPECT_EQ(error_of(lines(255)), ":255: the file ends where entry 255 of 0 to 255 should stand");
   EXPECT_EQ(error_of(""), ":1: the file ends where entry 0 of 0 to 255 should stand");
   EXPECT_EQ(error_of(lines(256) + "\n1 2 3\n"), ":258: more than 256 entries");
   EXPECT_EQ(error_of(lines(9) + "1 64 3\n" + lines(246)),

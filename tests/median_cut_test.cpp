@@ -66,15 +66,14 @@ const std::vector<Cell> kUneven{blue(0, 5), blue(1, 5), blue(20, 1), blue(22, 1)
 
 TEST(SplitOrders, PixelsSplitsTheFullestBoxFirst) {
   // {0,1 | 20..31} would be 10:4; the first cut is after 0 or 1: 5 or 10 of 14, so after 0.
-  EXPECT_EQ(cut(kUneven, 2), (Codes{mean({kUneven[0]}),
-                                    mean({kUneven[1], kUneven[2], kUneven[3], kUneven[4]})}));
-  EXPECT_EQ(cut(kUneven, 3),
-            (Codes{mean({kUneven[0]}), mean({kUneven[1]}),
-                   mean({kUneven[2], kUneven[3], kUneven[4]})}));
+  EXPECT_EQ(cut(kUneven, 2),
+            (Codes{mean({kUneven[0]}), mean({kUneven[1], kUneven[2], kUneven[3], kUneven[4]})}));
+  EXPECT_EQ(cut(kUneven, 3), (Codes{mean({kUneven[0]}), mean({kUneven[1]}),
+                                    mean({kUneven[2], kUneven[3], kUneven[4]})}));
 }
 
 TEST(SplitOrders, DifferOnTheSameCells) {
-  const std::vector<Cell> cells{blue(0, 20), blue(1, 20), blue(2, 20), blue(3, 20),
+  const std::vector<Cell> cells{blue(0, 20),  blue(1, 20),  blue(2, 20),  blue(3, 20),
                                 blue(10, 12), blue(20, 12), blue(25, 12), blue(31, 12)};
   // First cut 0..2 | 3..31 (60 of 128 is nearest to 64).
   const auto from = [&](std::size_t a, std::size_t b) {
@@ -114,8 +113,8 @@ TEST(MedianCut, NeverSplitsASingleCellAndStopsWhenNoneIsLeft) {
 TEST(MedianCut, HsvBoxesLieWithinTheirPlane) {
   const HsvGrid grid;
   // Saturations lie apart by 20, values by 10: the cut is by saturation.
-  const std::vector<Cell> cells{{{12, 9, 10}, 1}, {{12, 9, 20}, 1}, {{12, 29, 10}, 1},
-                                {{12, 29, 20}, 1}};
+  const std::vector<Cell> cells{
+      {{12, 9, 10}, 1}, {{12, 9, 20}, 1}, {{12, 29, 10}, 1}, {{12, 29, 20}, 1}};
   PointSum pale, full;
   pale.add(cells[0].at, 1);
   pale.add(cells[1].at, 1);

@@ -13,7 +13,7 @@
 namespace sir::quant {
 namespace {
 
-/// The contract's sentence, once more.
+/// The definition (thesis 3.5), once more.
 int by_definition(Rgb8 c, const Lut& lut) {
   int best = -1, least = 0;
   for (int i = 255; i >= 0; --i) {

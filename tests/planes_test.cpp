@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "tests/reason_of.h"
 #include "tests/temp_folder.h"
 #include "tracer/error.h"
 #include "tracer/scene_path.h"
@@ -15,12 +16,7 @@ namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
 std::string reason_of_reading(const fs::path& base, ImageSize size) {
-  try {
-    read_planes(base, size);
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::reason_of([&] { read_planes(base, size); });
 }
 
 Planes noise(ImageSize size, unsigned seed) {

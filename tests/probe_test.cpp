@@ -9,7 +9,8 @@ namespace {
 
 TEST(Probe, NamesNumbersOfTheFiles) {
   test::SceneBuilder build;
-  const auto a = build.primitive(PrimitiveKind::cylinder, test::placed({1, 2, 1}, {0, 0, 0}), 70, 700);
+  const auto a =
+      build.primitive(PrimitiveKind::cylinder, test::placed({1, 2, 1}, {0, 0, 0}), 70, 700);
   build.scene.tree.nodes[a].surfaces = {70, 71, 72};
   build.surface(71);
   build.surface(72);
@@ -28,7 +29,8 @@ TEST(Probe, NamesNumbersOfTheFiles) {
 
 TEST(Probe, FloatRunsInFloat) {
   test::SceneBuilder build;
-  const auto prober = make_prober(build.finish(build.sphere({0, 0, 0}, 1.0 / 3)), Precision::float_);
+  const auto prober =
+      make_prober(build.finish(build.sphere({0, 0, 0}, 1.0 / 3)), Precision::float_);
   const auto& hits = prober->hits({0, 0, 2}, {0, 0, -1});
   ASSERT_EQ(hits.size(), 2u);
   EXPECT_EQ(hits[0].t, static_cast<double>(static_cast<float>(hits[0].t)));

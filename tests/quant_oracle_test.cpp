@@ -1,4 +1,4 @@
-// The contract's section "Choosing a LUT" written a second time, naively: a
+// The choice of a LUT (thesis 3.4, quant/choose.h) written a second time, naively: a
 // box is a list of pixels' cells, counts are maps, bins and codes are searched
 // for by inequalities. The production code must agree on every entry.
 #include <gtest/gtest.h>
@@ -44,12 +44,9 @@ Point hsv_point(Rgb8 colour, const Setting& is) {
   if (100 * c <= is.grey_s_percent * max || 100 * max <= is.grey_v_percent * 255)
     return {is.hues, 0, v};
   Integer degrees;  // times c, from 0 to 360
-  if (r == max)
-    degrees = g >= b ? 60 * (g - b) : 360 * c - 60 * (b - g);
-  else if (g == max)
-    degrees = 120 * c + 60 * (b - r);
-  else
-    degrees = 240 * c + 60 * (r - g);
+  if (r == max) degrees = g >= b ? 60 * (g - b) : 360 * c - 60 * (b - g);
+  else if (g == max) degrees = 120 * c + 60 * (b - r);
+  else degrees = 240 * c + 60 * (r - g);
   // Bin h is centred on 360 h / hues; a hue beyond the last bin is bin 0's.
   Integer h = 0;
   while (h < is.hues && 2 * degrees * is.hues >= 360 * c * (2 * h + 1)) ++h;
@@ -245,7 +242,7 @@ Planes small_image(std::mt19937& random, int kind) {
     const int low = below(6);
     switch (kind) {
       case 1: colour = one; break;
-      case 2: colour.g = colour.b = colour.r; break;             // greys
+      case 2: colour.g = colour.b = colour.r; break;  // greys
       case 3: colour = {byte(below(3) * 120), byte(below(3) * 120), byte(below(2) * 255)}; break;
       case 4: colour = {byte(low * 51), byte(below(6) * 51), byte(below(8) * 36)}; break;  // ties
       case 5: colour = {colour.r, byte(colour.r / 4), byte(colour.g / 16)}; break;  // few hues

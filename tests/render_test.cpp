@@ -46,7 +46,8 @@ TEST(Render, PowersOfTwoScaleWithoutChangingAByte) {
     single.precision = Precision::float_;
     const Planes usual_single = render(scene, single).planes;
     for (const int exponent : {-20, -10, 7, 20})
-      ASSERT_EQ(render(test::moved(scene, std::ldexp(1, exponent), {}), single).planes, usual_single)
+      ASSERT_EQ(render(test::moved(scene, std::ldexp(1, exponent), {}), single).planes,
+                usual_single)
           << "seed " << seed << " float, scale 2^" << exponent;
   }
 }
@@ -86,7 +87,8 @@ TEST(Render, UnionCommutes) {
     Scene scene = test::random_scene(seed, 10, false);
     const Planes usual = render(scene, small()).planes;
     for (CsgNode& node : scene.tree.nodes)
-      if (node.composite && node.operation != Operation::difference) std::swap(node.left, node.right);
+      if (node.composite && node.operation != Operation::difference)
+        std::swap(node.left, node.right);
     ASSERT_EQ(render(scene, small()).planes, usual);
   }
 }

@@ -115,9 +115,8 @@ bool Program::pump() {
   if (in_.empty() && !keep_in_open_) close_one(in_pipe_);
   if (out_pipe_ < 0 && err_pipe_ < 0) return false;
   // poll() passes over negative descriptors.
-  std::array<pollfd, 3> ready{{{in_.empty() ? -1 : in_pipe_, POLLOUT, 0},
-                               {out_pipe_, POLLIN, 0},
-                               {err_pipe_, POLLIN, 0}}};
+  std::array<pollfd, 3> ready{
+      {{in_.empty() ? -1 : in_pipe_, POLLOUT, 0}, {out_pipe_, POLLIN, 0}, {err_pipe_, POLLIN, 0}}};
   if (::poll(ready.data(), ready.size(), -1) < 0) return errno == EINTR;
   if (ready[0].revents != 0) {
     const ssize_t sent = ::write(in_pipe_, in_.data(), in_.size());

@@ -22,7 +22,7 @@ struct Start {
 
 /// What is left of it.
 struct Ended {
-  int exit_code = -1;       ///< 128 + number where a signal ended it
+  int exit_code = -1;  ///< 128 + number where a signal ended it
   std::string out, err;
   long peak_kilobytes = 0;  ///< of memory
 };

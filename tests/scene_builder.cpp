@@ -103,14 +103,13 @@ Scene random_scene(std::uint64_t seed, int leaves, bool aligned) {
     } else {
       placement = random_placement(random, 1, pick(2) == 0);
     }
-    open.push_back(build.primitive(kind, placement, 1 + pick(3),
-                                   numbers[static_cast<std::size_t>(i)]));
+    open.push_back(
+        build.primitive(kind, placement, 1 + pick(3), numbers[static_cast<std::size_t>(i)]));
   }
   // Mostly unions, or little would be left to see.
-  constexpr Operation kOperations[] = {Operation::union_of,   Operation::union_of,
-                                       Operation::union_of,   Operation::union_of,
-                                       Operation::difference, Operation::difference,
-                                       Operation::intersection};
+  constexpr Operation kOperations[] = {
+      Operation::union_of,   Operation::union_of,   Operation::union_of,    Operation::union_of,
+      Operation::difference, Operation::difference, Operation::intersection};
   while (open.size() > 1) {
     const auto take = [&] {
       const auto at = static_cast<std::size_t>(pick(static_cast<int>(open.size())));

@@ -5,27 +5,28 @@
 #include <functional>
 #include <random>
 
+#include "tests/reason_of.h"
 #include "tests/temp_folder.h"
-#include "tracer/error.h"
 
 namespace sir {
 namespace {
 
+using test::reason_of;
 using test::TempFolder;
 
 // The tree of figure 2.5 in small: a cube less a sphere.
 const std::string kCsg =
-    "3\n\n"                                                          // 1
-    "0\ntudo\nCOMPOSTO\nDIFERENÇA\nPRIMITIVO\nPRIMITIVO\n7\n9\n\n"   // 3
-    "7\ncaixa azul\nPRIMITIVO\nCUBO\n1 2 1 2 1 2\n"                  // 12
-    "2 0 0 0\n0 2 0 0\n0 0 2 0\n0 0 0 1\n\n"                         // 17
-    "9\nesfera\nPRIMITIVO\nESFERA\n2\n"                              // 22
-    "1 0 0 0\n0 1 0 0\n0 0 1 0\n1 2 3 1\n\n";                        // 27
+    "3\n\n"                                                         // 1
+    "0\ntudo\nCOMPOSTO\nDIFERENÇA\nPRIMITIVO\nPRIMITIVO\n7\n9\n\n"  // 3
+    "7\ncaixa azul\nPRIMITIVO\nCUBO\n1 2 1 2 1 2\n"                 // 12
+    "2 0 0 0\n0 2 0 0\n0 0 2 0\n0 0 0 1\n\n"                        // 17
+    "9\nesfera\nPRIMITIVO\nESFERA\n2\n"                             // 22
+    "1 0 0 0\n0 1 0 0\n0 0 1 0\n1 2 3 1\n\n";                       // 27
 const std::string kCam = "4 3\n0 1 2\n0 0 -1\n5\n0 1 0\n";
 const std::string kLuz = "0 .1 .2\n0.1 0.2 0.3\n2\n1 2 3 1 .5 .25\n4 5 6 .75\n";
 const std::string kSup =
     "2\n\n"
-    "1\nazul\nLISA\n.1 .1 .3 0 0 1 .5 20 0 0\n\n"                            // 3
+    "1\nazul\nLISA\n.1 .1 .3 0 0 1 .5 20 0 0\n\n"                              // 3
     "2\npiso\nXADREZ\n.1 .1 .1 1 1 1 0 1 .5 1.5\n4 8\n0 0 0 0 0 0 0 0 0 0\n";  // 8
 
 template <typename Result>
@@ -38,15 +39,6 @@ CameraFile cam(const std::string& text) { return read_text(read_camera, "B.CAM",
 Lighting luz(const std::string& text) { return read_text(read_lighting, "B.LUZ", text); }
 auto sup(const std::string& text) { return read_text(read_surfaces, "B.SUP", text); }
 
-std::string reason_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 // `text` with line `line` (from 1) replaced; an empty `by` leaves a blank line.
 std::string with_line(const std::string& text, std::size_t line, const std::string& by) {
   std::size_t from = 0;
@@ -56,7 +48,7 @@ std::string with_line(const std::string& text, std::size_t line, const std::stri
 
 // A file that differs from a right one in one line, and what is said of it.
 struct Wrong {
-  std::size_t line;   ///< replaced
+  std::size_t line;  ///< replaced
   const char* by;
   std::size_t blamed;  ///< the line named in the error
   const char* reason;  ///< a part of it
@@ -177,36 +169,37 @@ TEST(ReadSurfaces, ReadsPlainAndChequered) {
 // Malformed files.
 
 TEST(ReadCsg, RefusesEveryWrongLine) {
-  expect_refusals("B.CSG", kCsg, csg, {
-      {1, "0", 1, "at least one node"},
-      {1, "-1", 1, "\"-1\" is not a non-negative integer"},
-      {1, "3 3", 1, "\"3 3\" is not"},
-      {1, "4", 31, "announces 4 nodes and ends after 3"},
-      {1, "4611686018427387904", 31, "announces 4611686018427387904 nodes and ends after 3"},
-      {1, "2", 22, "announces 2 nodes and goes on"},
-      {3, "7", 12, "node 7 stands twice"},
-      {3, "x", 3, "a node's number: \"x\" is not"},
-      {5, "MISTO", 5, "node 0 \"tudo\": type: COMPOSTO or PRIMITIVO expected, found \"MISTO\""},
-      {6, "MENOS", 6, "node 0 \"tudo\": unknown operation \"MENOS\""},
-      {7, "COMPOSTO", 9, "node 0 \"tudo\": node 7 is not COMPOSTO"},
-      {8, "PRIMITVO", 8, "type of the right node: COMPOSTO or PRIMITIVO expected"},
-      {9, "8", 9, "node 0 \"tudo\": node 8 is not in the file"},
-      {9, "7.0", 9, "number of the left node: \"7.0\" is not"},
-      {10, "7", 10, "node 7 already belongs to node 0"},
-      {15, "PIRAMIDE", 15, "node 7 \"caixa azul\": unknown primitive \"PIRAMIDE\""},
-      {16, "1 2", 16, "1 surface number for all faces or 6, one per face, expected; 2 found"},
-      {16, "1 2 1 2 1 a", 16, "surface number \"a\" is not"},
-      {17, "2 0 0", 17, "line 1 of LOCAL_CENA: 4 numbers expected, 3 found"},
-      {18, "0 nan 0 0", 18, "line 2 of LOCAL_CENA: \"nan\" is not a finite number"},
-      {18, "0 -inf 0 0", 18, "\"-inf\" is not a finite number"},
-      {18, "0 1e999 0 0", 18, "\"1e999\" is not a finite number"},
-      {18, "0 1,5 0 0", 18, "\"1,5\" is not a finite number"},
-      {18, "0 2 0 0.5", 18, "the fourth column of LOCAL_CENA must be 0 0 0 1"},
-      {20, "0 0 0 2", 20, "the fourth column of LOCAL_CENA must be 0 0 0 1"},
-      {19, "0 2 0 0", 17, "node 7 \"caixa azul\": LOCAL_CENA is singular"},
-      {19, "0 0 0 0", 17, "LOCAL_CENA is singular"},
-      {30, "", 31, "line 4 of LOCAL_CENA should stand"},
-      {31, "mais", 31, "announces 3 nodes and goes on after them"}});
+  expect_refusals(
+      "B.CSG", kCsg, csg,
+      {{1, "0", 1, "at least one node"},
+       {1, "-1", 1, "\"-1\" is not a non-negative integer"},
+       {1, "3 3", 1, "\"3 3\" is not"},
+       {1, "4", 31, "announces 4 nodes and ends after 3"},
+       {1, "4611686018427387904", 31, "announces 4611686018427387904 nodes and ends after 3"},
+       {1, "2", 22, "announces 2 nodes and goes on"},
+       {3, "7", 12, "node 7 stands twice"},
+       {3, "x", 3, "a node's number: \"x\" is not"},
+       {5, "MISTO", 5, "node 0 \"tudo\": type: COMPOSTO or PRIMITIVO expected, found \"MISTO\""},
+       {6, "MENOS", 6, "node 0 \"tudo\": unknown operation \"MENOS\""},
+       {7, "COMPOSTO", 9, "node 0 \"tudo\": node 7 is not COMPOSTO"},
+       {8, "PRIMITVO", 8, "type of the right node: COMPOSTO or PRIMITIVO expected"},
+       {9, "8", 9, "node 0 \"tudo\": node 8 is not in the file"},
+       {9, "7.0", 9, "number of the left node: \"7.0\" is not"},
+       {10, "7", 10, "node 7 already belongs to node 0"},
+       {15, "PIRAMIDE", 15, "node 7 \"caixa azul\": unknown primitive \"PIRAMIDE\""},
+       {16, "1 2", 16, "1 surface number for all faces or 6, one per face, expected; 2 found"},
+       {16, "1 2 1 2 1 a", 16, "surface number \"a\" is not"},
+       {17, "2 0 0", 17, "line 1 of LOCAL_CENA: 4 numbers expected, 3 found"},
+       {18, "0 nan 0 0", 18, "line 2 of LOCAL_CENA: \"nan\" is not a finite number"},
+       {18, "0 -inf 0 0", 18, "\"-inf\" is not a finite number"},
+       {18, "0 1e999 0 0", 18, "\"1e999\" is not a finite number"},
+       {18, "0 1,5 0 0", 18, "\"1,5\" is not a finite number"},
+       {18, "0 2 0 0.5", 18, "the fourth column of LOCAL_CENA must be 0 0 0 1"},
+       {20, "0 0 0 2", 20, "the fourth column of LOCAL_CENA must be 0 0 0 1"},
+       {19, "0 2 0 0", 17, "node 7 \"caixa azul\": LOCAL_CENA is singular"},
+       {19, "0 0 0 0", 17, "LOCAL_CENA is singular"},
+       {30, "", 31, "line 4 of LOCAL_CENA should stand"},
+       {31, "mais", 31, "announces 3 nodes and goes on"}});
 }
 
 TEST(ReadCsg, RefusesWhatIsNoTree) {
@@ -215,8 +208,7 @@ TEST(ReadCsg, RefusesWhatIsNoTree) {
            std::to_string(left) + "\n" + std::to_string(right) + "\n";
   };
   const auto leaf = [](int number) {
-    return std::to_string(number) +
-           "\nn\nPRIMITIVO\nCUBO\n1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+    return std::to_string(number) + "\nn\nPRIMITIVO\nCUBO\n1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
   };
   const auto said = [](const std::string& text) { return reason_of([&] { csg(text); }); };
   EXPECT_EQ(said("2\n" + leaf(4) + leaf(6)),
@@ -224,9 +216,10 @@ TEST(ReadCsg, RefusesWhatIsNoTree) {
   EXPECT_EQ(said("1\n" + composite(1, 1, 1)),
             "B.CSG:9: node 1 \"n\": node 1 already belongs to node 1");
   // A circle beside the tree, and nothing but a circle.
-  const std::string mixed = "1\nn\nCOMPOSTO\nUNIAO\nCOMPOSTO\nPRIMITIVO\n2\n5\n"
-                            "2\nn\nCOMPOSTO\nUNIAO\nCOMPOSTO\nPRIMITIVO\n1\n6\n" +
-                            leaf(5) + leaf(6);
+  const std::string mixed =
+      "1\nn\nCOMPOSTO\nUNIAO\nCOMPOSTO\nPRIMITIVO\n2\n5\n"
+      "2\nn\nCOMPOSTO\nUNIAO\nCOMPOSTO\nPRIMITIVO\n1\n6\n" +
+      leaf(5) + leaf(6);
   EXPECT_EQ(said("5\n" + leaf(3) + mixed),
             "B.CSG:11: node 1 \"n\": belongs to a circle of nodes, not to the tree");
   EXPECT_EQ(said("4\n" + mixed),
@@ -243,56 +236,58 @@ TEST(ReadCsg, LongNamesAndControlCharactersStayOutOfTheError) {
 }
 
 TEST(ReadCamera, RefusesEveryWrongLine) {
-  expect_refusals("B.CAM", kCam, cam, {
-      {1, "4", 1, "window width and height: 2 numbers expected, 1 found"},
-      {1, "0 3", 1, "must be > 0"},
-      {1, "4 -3", 1, "must be > 0"},
-      {2, "0 0 x", 2, "target: \"x\" is not a finite number"},
-      {3, "0 0 0", 3, "the normal direction must not be zero"},
-      {4, "-1", 4, "must not be negative"},
-      {4, "0", 4, "a sixth line must give a focal distance or PARALELA"},
-      {4, "nan", 4, "\"nan\" is not a finite number"},
-      {5, "0 0 0", 5, "the up vector must not be zero or parallel"},
-      {5, "0 0 7", 5, "the up vector must not be zero or parallel"},
-      {5, "", 5, "the file ends where up vector should stand"}});
-  expect_refusals("B.CAM", kCam + "1\n", cam, {
-      {6, "0", 6, "must be one number > 0, or PARALELA"},
-      {6, "1 1", 6, "must be one number > 0, or PARALELA"},
-      {6, "PARALELO", 6, "focal distance (or PARALELA): \"PARALELO\" is not a finite number"},
-      {6, "1\n\n1", 8, "this is one more"}});
+  expect_refusals("B.CAM", kCam, cam,
+                  {{1, "4", 1, "window width and height: 2 numbers expected, 1 found"},
+                   {1, "0 3", 1, "must be > 0"},
+                   {1, "4 -3", 1, "must be > 0"},
+                   {2, "0 0 x", 2, "target: \"x\" is not a finite number"},
+                   {3, "0 0 0", 3, "the normal direction must not be zero"},
+                   {4, "-1", 4, "must not be negative"},
+                   {4, "0", 4, "a sixth line must give a focal distance or PARALELA"},
+                   {4, "nan", 4, "\"nan\" is not a finite number"},
+                   {5, "0 0 0", 5, "the up vector must not be zero or parallel"},
+                   {5, "0 0 7", 5, "the up vector must not be zero or parallel"},
+                   {5, "", 5, "the file ends where up vector should stand"}});
+  expect_refusals(
+      "B.CAM", kCam + "1\n", cam,
+      {{6, "0", 6, "must be one number > 0, or PARALELA"},
+       {6, "1 1", 6, "must be one number > 0, or PARALELA"},
+       {6, "PARALELO", 6, "focal distance (or PARALELA): \"PARALELO\" is not a finite number"},
+       {6, "1\n\n1", 8, "this is one more"}});
 }
 
 TEST(ReadLighting, RefusesEveryWrongLine) {
-  expect_refusals("B.LUZ", kLuz, luz, {
-      {1, "0 0", 1, "background colour: 3 numbers expected, 2 found"},
-      {1, "0 0 -1", 1, "background colour: must not be negative"},
-      {2, "1 2", 2, "ambient light: one number or three expected, 2 found"},
-      {2, "-1", 2, "ambient light: must not be negative"},
-      {3, "2.5", 3, "the number of lights: \"2.5\" is not"},
-      {3, "3", 5, "announces 3 lights and ends after 2"},
-      {3, "1", 5, "announces 1 lights and goes on"},
-      {4, "1 2 3 1 1", 4, "light 1: x y z r g b or x y z i expected, 5 numbers found"},
-      {4, "1 2 3 1 1 -1", 4, "light 1: intensity: must not be negative"},
-      {5, "1 2 inf 1", 5, "light 2: \"inf\" is not a finite number"}});
+  expect_refusals("B.LUZ", kLuz, luz,
+                  {{1, "0 0", 1, "background colour: 3 numbers expected, 2 found"},
+                   {1, "0 0 -1", 1, "background colour must not be negative"},
+                   {2, "1 2", 2, "ambient light: one number or three expected, 2 found"},
+                   {2, "-1", 2, "ambient light must not be negative"},
+                   {3, "2.5", 3, "the number of lights: \"2.5\" is not"},
+                   {3, "3", 5, "announces 3 lights and ends after 2"},
+                   {3, "1", 5, "announces 1 light and goes on"},
+                   {4, "1 2 3 1 1", 4, "light 1: x y z r g b or x y z i expected, 5 numbers found"},
+                   {4, "1 2 3 1 1 -1", 4, "light 1's intensity must not be negative"},
+                   {5, "1 2 inf 1", 5, "light 2: \"inf\" is not a finite number"}});
 }
 
 TEST(ReadSurfaces, RefusesEveryWrongLine) {
-  expect_refusals("B.SUP", kSup, sup, {
-      {1, "3", 13, "announces 3 surfaces and ends after 2"},
-      {1, "1", 8, "announces 1 surfaces and goes on"},
-      {3, "-1", 3, "a surface's number: \"-1\" is not"},
-      {8, "1", 8, "surface 1 stands twice"},
-      {5, "LISO", 5, "surface 1 \"azul\": unknown texture \"LISO\""},
-      {5, "", 6, "unknown texture \".1 .1 .3 0 0 1 .5 20 0 0\""},  // the texture line missing
-      {6, "1 2 3", 6, "kar kag kab kdr kdg kdb ks n kt ir: 10 numbers expected, 3 found"},
-      {6, ".1 .1 .3 0 0 -1 .5 20 0 0", 6, "coefficients must not be negative"},
-      {6, ".1 .1 .3 0 0 1 .5 -2 0 0", 6, "coefficients must not be negative"},
-      {6, ".1 .1 .3 0 0 1 .5 20 .1 0", 6, "needs a refraction index > 0"},
-      {12, "4", 12, "XADREZ goes on with two positive integers nu nv"},
-      {12, "4 0", 12, "two positive integers"},
-      {12, "4 2.5", 12, "two positive integers"},
-      {13, "", 13, "surface 2 \"piso\": coefficients"},
-      {13, "0 0 0 0 0 0 0 0 1 -1", 13, "needs a refraction index > 0"}});
+  expect_refusals(
+      "B.SUP", kSup, sup,
+      {{1, "3", 13, "announces 3 surfaces and ends after 2"},
+       {1, "1", 8, "announces 1 surface and goes on"},
+       {3, "-1", 3, "a surface's number: \"-1\" is not"},
+       {8, "1", 8, "surface 1 stands twice"},
+       {5, "LISO", 5, "surface 1 \"azul\": unknown texture \"LISO\""},
+       {5, "", 6, "unknown texture \".1 .1 .3 0 0 1 .5 20 0 0\""},  // the texture line missing
+       {6, "1 2 3", 6, "kar kag kab kdr kdg kdb ks n kt ir: 10 numbers expected, 3 found"},
+       {6, ".1 .1 .3 0 0 -1 .5 20 0 0", 6, "coefficients must not be negative"},
+       {6, ".1 .1 .3 0 0 1 .5 -2 0 0", 6, "coefficients must not be negative"},
+       {6, ".1 .1 .3 0 0 1 .5 20 .1 0", 6, "needs a refraction index > 0"},
+       {12, "4", 12, "XADREZ goes on with two positive integers nu nv"},
+       {12, "4 0", 12, "two positive integers"},
+       {12, "4 2.5", 12, "two positive integers"},
+       {13, "", 13, "surface 2 \"piso\": coefficients"},
+       {13, "0 0 0 0 0 0 0 0 1 -1", 13, "needs a refraction index > 0"}});
 }
 
 TEST(Readers, AnEmptyFileIsSaidToEnd) {
@@ -376,7 +371,7 @@ TEST(ReadScene, SurfacesMustBeDescribed) {
   folder.write("B.CSG", with_line(kCsg, 16, "1 2 1 2 1 3"));
   EXPECT_EQ(reason_of([&] { read_scene(folder / "B"); }),
             (folder / "B.CSG").string() +
-                ":12: node 7 \"caixa azul\": surface 3 is not described in " +
+                ":16: node 7 \"caixa azul\": surface 3 is not described in " +
                 (folder / "B.SUP").string());
 }
 

@@ -147,8 +147,13 @@ TEST(RoundTrip, SurfacesKeepEveryBit) {
     std::mt19937_64 random(seed);
     std::vector<Surface> surfaces(seed % 5);
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      surfaces[i] = {static_cast<std::int64_t>((random() >> 1) / 8 * 8 + i), "maçã verde",
-                     TextureKind::plain, draw(random), {}, 1, 1};
+      surfaces[i] = {static_cast<std::int64_t>((random() >> 1) / 8 * 8 + i),
+                     "maçã verde",
+                     TextureKind::plain,
+                     draw(random),
+                     {},
+                     1,
+                     1};
       if (random() % 2 == 0) continue;
       surfaces[i].texture = TextureKind::chequer;
       surfaces[i].second = draw(random);

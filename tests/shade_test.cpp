@@ -97,7 +97,7 @@ TEST(Shade, DegenerateDirectionsGiveNumbers) {
   Floor f;
   f.build.scene.lighting.lights = {{{0, 0, 0}, {1, 1, 1}},    // on the point
                                    {{0, 10, 0}, {1, 1, 1}}};  // at the eye: H = N
-  f.build.surface(1).first.exponent = 0;                       // pow(x,0) = 1 wherever N.L > 0
+  f.build.surface(1).first.exponent = 0;                      // pow(x,0) = 1 wherever N.L > 0
   expect_colour(f.colour(f.floor), {0.05 + 0.9 + 0.6, 0.08 + 0.5 + 0.6, 0.09 + 0.2 + 0.6});
 }
 
@@ -125,9 +125,9 @@ TEST(Shade, PointOnTheContinuationOfASurfaceIsStillShadowed) {
     Placement lying;
     lying.linear = glm::dmat3({1, 0, 0}, {0, 0, 1}, {0, 1, 0});  // the axis along z
     lying.translation = {0, 1, 0};
-    const auto solid = cylinder ? f.build.primitive(PrimitiveKind::cylinder, lying, 2)
-                                : f.build.primitive(PrimitiveKind::cone,
-                                                    test::placed({1, 1, 1}, {0, 1, 0}), 2);
+    const auto solid =
+        cylinder ? f.build.primitive(PrimitiveKind::cylinder, lying, 2)
+                 : f.build.primitive(PrimitiveKind::cone, test::placed({1, 1, 1}, {0, 1, 0}), 2);
     const Scene scene = f.build.finish(f.build.combine(Operation::union_of, f.floor, solid));
     const Model<double> model(scene, {});
     Classifier<double> classifier(model.solid);

@@ -33,10 +33,10 @@ TEST(SurfacePoint, CubeCoordinatesTakeTheOtherTwoAxes) {
 
 TEST(SurfacePoint, SphereCoordinates) {
   expect_uv(uv(K::sphere, 0, {1, 0, 0}), 0, 0.5);
-  expect_uv(uv(K::sphere, 0, {0, 0, 1}), 0.25, 0.5);   // atan2(z,x)
+  expect_uv(uv(K::sphere, 0, {0, 0, 1}), 0.25, 0.5);  // atan2(z,x)
   expect_uv(uv(K::sphere, 0, {-1, 0, 0}), 0.5, 0.5);
-  expect_uv(uv(K::sphere, 0, {0, 0, -1}), 0.75, 0.5);  // wrapped, not -0.25
-  EXPECT_NEAR(uv(K::sphere, 0, {0, 1, 0}).v, 1, 1e-15);   // acos(-y)/pi
+  expect_uv(uv(K::sphere, 0, {0, 0, -1}), 0.75, 0.5);    // wrapped, not -0.25
+  EXPECT_NEAR(uv(K::sphere, 0, {0, 1, 0}).v, 1, 1e-15);  // acos(-y)/pi
   EXPECT_NEAR(uv(K::sphere, 0, {0, -1, 0}).v, 0, 1e-15);
 }
 
@@ -88,7 +88,7 @@ TEST(SurfacePoint, OnFaceMeasuresADistance) {
   EXPECT_FALSE(on(K::cylinder, 0, {0.9, 1, 0}));
   EXPECT_TRUE(on(K::cone, 0, {0.25, 0.75, 0}));
   EXPECT_FALSE(on(K::cone, 0, {0.25, 0.25, 0}));
-  EXPECT_FALSE(on(K::cone, 0, {2, -1, 0}));  // its continuation below the base
+  EXPECT_FALSE(on(K::cone, 0, {2, -1, 0}));     // its continuation below the base
   EXPECT_FALSE(on(K::cone, 0, {0.5, 1.5, 0}));  // the upper nappe
   EXPECT_TRUE(on(K::cone, 1, {0.25, 0, 0}));
   EXPECT_FALSE(on(K::cone, 1, {1.25, 0, 0}));

@@ -33,8 +33,12 @@ TEST(FoldKeyword, IgnoresCaseAccentsAndSurroundingSpace) {
         std::string("UNIAO"), " \t" + composed + "\r"})
     EXPECT_EQ(fold_keyword(word), "uniao") << word;
   EXPECT_EQ(fold_keyword("INTERSE\xC3\x87\xC3\x83O"), "intersecao");
-  EXPECT_EQ(fold_keyword("DIFEREN\xC3\x87" "A"), "diferenca");
-  EXPECT_EQ(fold_keyword("INTERSEC\xCC\xA7" "A\xCC\x83O"), "intersecao");
+  EXPECT_EQ(fold_keyword("DIFEREN\xC3\x87"
+                         "A"),
+            "diferenca");
+  EXPECT_EQ(fold_keyword("INTERSEC\xCC\xA7"
+                         "A\xCC\x83O"),
+            "intersecao");
 }
 
 TEST(FoldKeyword, KeepsWordsApart) {
@@ -74,9 +78,9 @@ TEST(ParseNumber, TooSmallIsZeroTooLargeIsNone) {
 }
 
 TEST(ParseNumber, RefusesEverythingElse) {
-  for (const char* token : {"", "+", "-", ".", "e5", "1e", "+-1", "-+1", "++1", "--1", "nan", "NAN",
-                            "inf", "-inf", "infinity", "1,5", "0x10", "1x", " 1", "1 ", "1d3",
-                            "1_000", "\xC2\xBD", "nan(0)"})
+  for (const char* token : {"",     "+",   "-",   ".",   "e5",  "1e",    "+-1",      "-+1",
+                            "++1",  "--1", "nan", "NAN", "inf", "-inf",  "infinity", "1,5",
+                            "0x10", "1x",  " 1",  "1 ",  "1d3", "1_000", "\xC2\xBD", "nan(0)"})
     EXPECT_TRUE(std::isnan(number(token))) << token;
   EXPECT_TRUE(std::isnan(number(std::string_view("1\0", 2))));
 }
@@ -92,7 +96,9 @@ TEST(ParseCount, TakesNonNegativeIntegersOnly) {
 TEST(InQuotes, IsSafeToShow) {
   EXPECT_EQ(in_quotes("CUBO"), "\"CUBO\"");
   EXPECT_EQ(in_quotes(std::string_view("a\0\x1B[31m\x7F\n", 9)), "\"a??[31m??\"");
-  EXPECT_EQ(in_quotes("\xC2\x9B" "31m"), "\"?31m\"");
+  EXPECT_EQ(in_quotes("\xC2\x9B"
+                      "31m"),
+            "\"?31m\"");
   EXPECT_EQ(in_quotes("UNI\xC3\x83O"), "\"UNI\xC3\x83O\"");
 }
 
@@ -136,8 +142,8 @@ TEST(TextFile, PutsALineBack) {
 }
 
 TEST(TextFile, KnowsUtf8Latin1AndTheByteOrderMark) {
-  for (const char* text : {"UNI\xC3\x83O", "UNI\xC3O", "\xEF\xBB\xBFUNI\xC3\x83O",
-                           "\xEF\xBB\xBFUNI\xC3O"}) {
+  for (const char* text :
+       {"UNI\xC3\x83O", "UNI\xC3O", "\xEF\xBB\xBFUNI\xC3\x83O", "\xEF\xBB\xBFUNI\xC3O"}) {
     TextFile file("T", text);
     ASSERT_TRUE(file.next());
     EXPECT_EQ(file.line(), "UNI\xC3\x83O") << text;

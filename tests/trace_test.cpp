@@ -135,8 +135,8 @@ TEST(Trace, FaceWithoutAnIndexLeavesTheMediumOpen) {
   const auto glass = build.cube({-9, -9, -9}, {9, 0, 9}, 1);
   const auto cut = build.cube({-9, -9, -9}, {9, -4, 9}, 2);
   TraceLog log;
-  seen(build.finish(build.combine(Operation::difference, glass, cut)), {{{0, -1, 0}}, {{0.3, -1, 0}}},
-       {}, &log);
+  seen(build.finish(build.combine(Operation::difference, glass, cut)),
+       {{{0, -1, 0}}, {{0.3, -1, 0}}}, {}, &log);
   ASSERT_EQ(log.size(), 3u);
   EXPECT_EQ(log[1].kind, RayKind::reflected);
   EXPECT_EQ(log[2].kind, RayKind::refracted);
@@ -162,6 +162,19 @@ TEST(Trace, TotalReflectionJoinsTheMirroredRay) {
   seen(scene, {{{0, -1, 0}}, {{1, 0.5, 0}}}, options, &log);
   ASSERT_EQ(log.size(), 2u);
   EXPECT_DOUBLE_EQ(log[1].factor, 0.5);
+}
+
+TEST(Trace, RefractionSwitchedOffIsNoTotalReflection) {
+  SceneBuilder build;
+  make(build, 1, {0, 0, 0}, 0.25, 0.5, 1.5);
+  const Scene scene = build.finish(build.cube({-9, -9, -9}, {9, 0, 9}, 1));
+  TraceOptions options;
+  options.allowed_effects.refraction = false;
+  TraceLog log;
+  seen(scene, kDown, options, &log);
+  ASSERT_EQ(log.size(), 2u);
+  EXPECT_FALSE(log[0].total_reflection);
+  EXPECT_DOUBLE_EQ(log[1].factor, 0.25);
 }
 
 TEST(Trace, LogAddsUp) {

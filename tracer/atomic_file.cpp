@@ -126,13 +126,11 @@ void write_file_atomically(const std::filesystem::path& destination,
   file.commit();
 }
 
-void write_file_atomically(const std::filesystem::path& destination,
-                           std::string_view text) {
+void write_file_atomically(const std::filesystem::path& destination, std::string_view text) {
   write_file_atomically(destination, std::as_bytes(std::span(text.data(), text.size())));
 }
 
-void refuse_same_file(const std::filesystem::path& output,
-                      const std::filesystem::path& input) {
+void refuse_same_file(const std::filesystem::path& output, const std::filesystem::path& input) {
   std::error_code missing;
   if (std::filesystem::equivalent(output, input, missing))
     throw FileError(output.string(), 0, "is an input and is not overwritten");

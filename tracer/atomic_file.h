@@ -1,4 +1,5 @@
-// Writing files so that a reader sees the old content or the new, never a part.
+// Writing the files of thesis 3.6 so that a reader sees the old content or the
+// new, never a part.
 #pragma once
 
 #include <cstddef>
@@ -41,12 +42,10 @@ void remove_temporaries() noexcept;
 /// Writes a whole file in one step.
 void write_file_atomically(const std::filesystem::path& destination,
                            std::span<const std::byte> bytes);
-void write_file_atomically(const std::filesystem::path& destination,
-                           std::string_view text);
+void write_file_atomically(const std::filesystem::path& destination, std::string_view text);
 
 /// Refuses (FileError) to write `output` where it is the same file as
 /// `input`: inputs are never overwritten.
-void refuse_same_file(const std::filesystem::path& output,
-                      const std::filesystem::path& input);
+void refuse_same_file(const std::filesystem::path& output, const std::filesystem::path& input);
 
 }  // namespace sir

@@ -54,8 +54,8 @@ Bounds<T> bounds_of(PrimitiveKind kind, const LocalCena<T>& placement) {
   Bounds<T> box = tight_bounds(kind, placement);
   for (int axis = 0; axis < 3; ++axis) {
     // The terms that were summed count, not the sum: they may have cancelled.
-    const T size = std::abs(placement.translation[axis]) + std::abs(box.low[axis]) +
-                   std::abs(box.high[axis]);
+    const T size =
+        std::abs(placement.translation[axis]) + std::abs(box.low[axis]) + std::abs(box.high[axis]);
     const T widening = Numeric<T>::kBoxRoundings * Numeric<T>::kEpsilon * size;
     box.low[axis] -= widening;
     box.high[axis] += widening;

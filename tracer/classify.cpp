@@ -8,7 +8,9 @@ namespace sir {
 
 template <typename T>
 Classifier<T>::Classifier(const Solid<T>& solid, Engine engine)
-    : solid_(solid), engine_(engine), stamp_(solid.gates.size(), 0),
+    : solid_(solid),
+      engine_(engine),
+      stamp_(solid.gates.size(), 0),
       switched_(solid.gates.size(), 0) {
   inputs_.reserve(solid.gates.size());
   for (const Gate& gate : solid.gates) inputs_.push_back(gate.at_rest);
@@ -109,7 +111,8 @@ bool Classifier<T>::next(Boundary<T>& boundary) {
   }
   while (next_event_ < events_.size()) {
     std::size_t end = next_event_ + 1;
-    while (end < events_.size() && Numeric<T>::same_event(events_[end - 1].t, events_[end].t)) ++end;
+    while (end < events_.size() && Numeric<T>::same_event(events_[end - 1].t, events_[end].t))
+      ++end;
     if (pass_cluster(end, boundary) && reportable(boundary.t)) return true;
   }
   return false;

@@ -13,11 +13,11 @@ namespace sir {
 /// CLASSIFICA.
 template <typename T>
 struct Boundary {
-  T t = 0;                  ///< in units of the ray's direction
-  std::uint32_t leaf = 0;   ///< index into Solid::leaves of the primitive that names it
-  std::uint8_t face = 0;    ///< of that primitive
-  bool entering = false;    ///< side: IN, from outside the solid to its inside
-  bool leaf_entering = false;  ///< the ray enters that primitive (a bore is left by entering the solid)
+  T t = 0;                     ///< in units of the ray's direction
+  std::uint32_t leaf = 0;      ///< index into Solid::leaves of the primitive that names it
+  std::uint8_t face = 0;       ///< of that primitive
+  bool entering = false;       ///< side: IN, from outside the solid to its inside
+  bool leaf_entering = false;  ///< the ray enters that primitive: not the same in a bore
 };
 
 /// Where a ray begins. A secondary ray says on which face it stands and to
@@ -88,10 +88,10 @@ class Classifier {
   std::vector<Event> events_;
   std::size_t next_event_ = 0;
   bool secondary_ = false;
-  bool inside_ = false;                // the solid, at the sweep's place
-  std::vector<std::int32_t> inputs_;   // true inputs of each gate, at the sweep's place
-  std::vector<std::uint64_t> stamp_;   // last cluster in which a gate switched
-  std::vector<std::uint8_t> switched_; // an odd number of times in that cluster
+  bool inside_ = false;                 // the solid, at the sweep's place
+  std::vector<std::int32_t> inputs_;    // true inputs of each gate, at the sweep's place
+  std::vector<std::uint64_t> stamp_;    // last cluster in which a gate switched
+  std::vector<std::uint8_t> switched_;  // an odd number of times in that cluster
   std::uint64_t cluster_ = 0;
   std::vector<Boundary<T>> combined_;  // Engine::roth: the finished list
 };

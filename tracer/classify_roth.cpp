@@ -42,9 +42,8 @@ void Classifier<T>::combine_all() {
     List result;
     bool in_left = false, in_right = false;
     for (std::size_t i = 0, j = 0; i < left.size() || j < right.size();) {
-      const std::size_t event =
-          std::min(i < left.size() ? left[i].event : number + 1,
-                   j < right.size() ? right[j].event : number + 1);
+      const std::size_t event = std::min(i < left.size() ? left[i].event : number + 1,
+                                         j < right.size() ? right[j].event : number + 1);
       const bool before = combined(operation, in_left, in_right);
       const Numbered* from_left = nullptr;
       const Numbered* from_right = nullptr;

@@ -1,4 +1,4 @@
-// Light intensities of the three primaries.
+// Light intensities of the three primaries (thesis 2.4.3).
 #pragma once
 
 #include <algorithm>

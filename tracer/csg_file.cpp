@@ -71,11 +71,14 @@ struct Reader {
 
   void read_surface_numbers(CsgNode& node) {
     file.expect(where(node) + "the surface numbers");
+    node.surfaces_line = file.line_number();
     const auto tokens = split_tokens(file.line());
     const auto faces = static_cast<std::size_t>(face_count(node.kind));
     if (tokens.size() != 1 && tokens.size() != faces)
-      file.fail(where(node) + "1 surface number for all faces or " + std::to_string(faces) +
-                ", one per face, expected; " + std::to_string(tokens.size()) + " found");
+      file.fail(
+          where(node) + "1 surface number" +
+          (faces > 1 ? " for all faces or " + std::to_string(faces) + ", one per face," : "") +
+          " expected; " + std::to_string(tokens.size()) + " found");
     node.surface_per_face = tokens.size() > 1;
     for (std::size_t face = 0; face < faces; ++face) {
       const auto token = tokens[node.surface_per_face ? face : 0];
@@ -148,9 +151,9 @@ struct Reader {
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
       if (!is_root(i)) continue;
       if (++roots == 2)
-        file.fail_at(tree.nodes[i].line,
-                     where(tree.nodes[i]) + "a second root; node " +
-                         std::to_string(tree.nodes[tree.root].number) + " is named by none either");
+        file.fail_at(tree.nodes[i].line, where(tree.nodes[i]) + "a second root; node " +
+                                             std::to_string(tree.nodes[tree.root].number) +
+                                             " is named by none either");
       tree.root = i;
     }
     std::vector<char> reached(tree.nodes.size(), 0);
@@ -180,12 +183,11 @@ CsgTree read_csg(TextFile& file) {
   if (announced == 0) file.fail("a scene has at least one node");
   for (std::int64_t i = 0; i < announced; ++i) {
     if (file.at_end())
-      file.fail("the file announces " + std::to_string(announced) + " nodes and ends after " +
+      file.fail("the file announces " + counted(announced, "node") + " and ends after " +
                 std::to_string(i));
     reader.read_node();
   }
-  if (file.next())
-    file.fail("the file announces " + std::to_string(announced) + " nodes and goes on after them");
+  if (file.next()) file.fail("the file announces " + counted(announced, "node") + " and goes on");
   reader.link();
   return std::move(reader.tree);
 }
@@ -200,7 +202,7 @@ void check_surfaces(const CsgTree& tree, const std::vector<Surface>& surfaces,
     for (int face = 0; face < face_count(node.kind); ++face) {
       const auto number = node.surfaces[static_cast<std::size_t>(face)];
       if (!std::binary_search(known.begin(), known.end(), number))
-        throw FileError(csg_name, node.line,
+        throw FileError(csg_name, node.surfaces_line,
                         "node " + std::to_string(node.number) + " " + in_quotes(node.name) +
                             ": surface " + std::to_string(number) + " is not described in " +
                             surfaces_name);

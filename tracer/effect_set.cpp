@@ -20,7 +20,9 @@ bool* EffectSet::find(std::string_view name) {
 }
 
 EffectSet effects_called_for(const Scene& scene, const EffectSet& allowed) {
-  if (allowed.exhaustive) return allowed;
+  EffectSet set = allowed;
+  set.bump = set.antialias = false;  // nothing calls for them yet
+  if (allowed.exhaustive) return set;
   std::unordered_set<std::int64_t> reached;
   for (const CsgNode& node : scene.tree.nodes)
     if (!node.composite)
@@ -31,15 +33,14 @@ EffectSet effects_called_for(const Scene& scene, const EffectSet& allowed) {
     if (!reached.contains(surface.number)) continue;
     const bool chequer = surface.texture == TextureKind::chequer;
     shines = shines || surface.first.specular > 0 || (chequer && surface.second.specular > 0);
-    transmits = transmits || surface.first.transmission > 0 ||
-                (chequer && surface.second.transmission > 0);
+    transmits =
+        transmits || surface.first.transmission > 0 || (chequer && surface.second.transmission > 0);
     textured = textured || chequer;
   }
   bool lit = false;
   for (const Light& light : scene.lighting.lights)
     lit = lit || light.intensity.x > 0 || light.intensity.y > 0 || light.intensity.z > 0;
 
-  EffectSet set = allowed;
   set.highlight = allowed.highlight && shines && lit;
   set.shadow = allowed.shadow && lit;
   set.filter = allowed.filter && transmits && lit;
@@ -47,8 +48,6 @@ EffectSet effects_called_for(const Scene& scene, const EffectSet& allowed) {
   set.reflection = allowed.reflection && shines;
   set.refraction = allowed.refraction && transmits;
   set.texture = allowed.texture && textured;
-  set.bump = false;
-  set.antialias = false;
   return set;
 }
 

@@ -1,4 +1,5 @@
-// Which effects a scene calls for; the others cost nothing.
+// Which effects of TRACE, SHADE and TEXTURA (thesis 3.3) a scene calls for; the
+// others cost nothing.
 #pragma once
 
 #include <string>
@@ -30,7 +31,8 @@ struct EffectSet {
 };
 
 /// The effects of `allowed` that the surfaces reached by the tree and the lights
-/// call for. With allowed.exhaustive nothing is left out.
+/// call for. With allowed.exhaustive all that are allowed, but for bump and
+/// antialias, which no scene has yet.
 EffectSet effects_called_for(const Scene& scene, const EffectSet& allowed);
 
 }  // namespace sir

@@ -1,4 +1,4 @@
-// The one error type of the libraries.
+// The one error type of the libraries (the thesis has none).
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace sir {
 /// Work that could not be done because of what a file holds, or because it
 /// cannot be read or written. what() is one line meant for a person:
 /// "file:line: reason", or "file: reason" where no line is to blame.
-/// Only the program's main catches it.
+/// Only the program's main catches it, and the window where a screenshot fails.
 class FileError : public std::runtime_error {
  public:
   /// `line` counts from 1; 0 means that no single line is to blame.
@@ -19,8 +19,7 @@ class FileError : public std::runtime_error {
       : std::runtime_error(format(file, line, reason)) {}
 
  private:
-  static std::string format(std::string_view file, std::size_t line,
-                            std::string_view reason) {
+  static std::string format(std::string_view file, std::size_t line, std::string_view reason) {
     std::string text(file.empty() ? "(empty name)" : file);
     if (line > 0) text += ":" + std::to_string(line);
     return text.append(": ").append(reason);

@@ -44,13 +44,21 @@ struct Normal {
 };
 
 template <typename Frame, typename T>
-T dot(Vector<Frame, T> a, Vector<Frame, T> b) { return glm::dot(a.v, b.v); }
+T dot(Vector<Frame, T> a, Vector<Frame, T> b) {
+  return glm::dot(a.v, b.v);
+}
 template <typename Frame, typename T>
-T dot(Normal<Frame, T> a, Vector<Frame, T> b) { return glm::dot(a.v, b.v); }
+T dot(Normal<Frame, T> a, Vector<Frame, T> b) {
+  return glm::dot(a.v, b.v);
+}
 template <typename Frame, typename T>
-T length(Vector<Frame, T> a) { return glm::length(a.v); }
+T length(Vector<Frame, T> a) {
+  return glm::length(a.v);
+}
 template <typename Frame, typename T>
-Vector<Frame, T> normalize(Vector<Frame, T> a) { return {glm::normalize(a.v)}; }
+Vector<Frame, T> normalize(Vector<Frame, T> a) {
+  return {glm::normalize(a.v)};
+}
 
 /// P(t) = origin + t direction (thesis 2.3.2); the direction has any length
 /// but zero, and t is measured in units of it.
@@ -105,15 +113,25 @@ struct Transform {
   }
 };
 
-template <typename T> using PointLocal = Point<ScLocal, T>;
-template <typename T> using VectorLocal = Vector<ScLocal, T>;
-template <typename T> using NormalLocal = Normal<ScLocal, T>;
-template <typename T> using RayLocal = Ray<ScLocal, T>;
-template <typename T> using PointCena = Point<ScCena, T>;
-template <typename T> using VectorCena = Vector<ScCena, T>;
-template <typename T> using NormalCena = Normal<ScCena, T>;
-template <typename T> using RayCena = Ray<ScCena, T>;
-template <typename T> using RayObs = Ray<ScObs, T>;
-template <typename T> using LocalCena = Transform<ScLocal, ScCena, T>;
+template <typename T>
+using PointLocal = Point<ScLocal, T>;
+template <typename T>
+using VectorLocal = Vector<ScLocal, T>;
+template <typename T>
+using NormalLocal = Normal<ScLocal, T>;
+template <typename T>
+using RayLocal = Ray<ScLocal, T>;
+template <typename T>
+using PointCena = Point<ScCena, T>;
+template <typename T>
+using VectorCena = Vector<ScCena, T>;
+template <typename T>
+using NormalCena = Normal<ScCena, T>;
+template <typename T>
+using RayCena = Ray<ScCena, T>;
+template <typename T>
+using RayObs = Ray<ScObs, T>;
+template <typename T>
+using LocalCena = Transform<ScLocal, ScCena, T>;
 
 }  // namespace sir

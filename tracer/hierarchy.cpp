@@ -24,7 +24,9 @@ Hierarchy<T>::Hierarchy(std::span<const Bounds<T>> boxes) {
     nodes_[n].bounds = all;
     if (size <= kLeafSize) continue;
     const auto extent = centres.high - centres.low;
-    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0
+                     : extent.y >= extent.z                       ? 1
+                                                                  : 2;
     const auto begin = order_.begin() + first;
     std::nth_element(begin, begin + size / 2, begin + size, [&](std::uint32_t a, std::uint32_t b) {
       const T at_a = boxes[a].centre()[axis], at_b = boxes[b].centre()[axis];

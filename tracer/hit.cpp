@@ -37,9 +37,9 @@ Hit<T> hit_at(const Model<T>& model, const RayCena<T>& ray, const Boundary<T>& b
   return hit;
 }
 
-#define SIR_INSTANTIATE(T)                                                                 \
-  template const Reflectance<T>& reflectance_at(const Model<T>&, const Boundary<T>&,      \
-                                                PointCena<T>);                             \
+#define SIR_INSTANTIATE(T)                                                           \
+  template const Reflectance<T>& reflectance_at(const Model<T>&, const Boundary<T>&, \
+                                                PointCena<T>);                       \
   template Hit<T> hit_at(const Model<T>&, const RayCena<T>&, const Boundary<T>&);
 SIR_INSTANTIATE(float)
 SIR_INSTANTIATE(double)

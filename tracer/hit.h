@@ -14,7 +14,7 @@ struct Hit {
   VectorCena<T> eye;       ///< unit, towards the ray's origin (E)
   VectorCena<T> normal;    ///< unit, on E's side (N)
   const Reflectance<T>* reflectance = nullptr;
-  T error = 0;             ///< how far rounding may have moved the point, in SC_CENA
+  T error = 0;  ///< how far rounding may have moved the point, in SC_CENA
 
   /// The start of a secondary ray from here: on E's side of the surface
   /// (mirrored and shadow rays) or on the other (refracted rays).

@@ -43,10 +43,14 @@ struct Span {
 /// b^2-4ac (compare Haines et al., Ray Tracing Gems ch. 7), the second root as
 /// c/q (Kahan): distant and nearly parallel rays keep their digits, and what
 /// touches exactly, in numbers short enough, is found to touch.
-template <typename T> bool intersect_cube(const RayLocal<T>& ray, T unit, Span<T>& span);
-template <typename T> bool intersect_sphere(const RayLocal<T>& ray, T unit, Span<T>& span);
-template <typename T> bool intersect_cone(const RayLocal<T>& ray, T unit, Span<T>& span);
-template <typename T> bool intersect_cylinder(const RayLocal<T>& ray, T unit, Span<T>& span);
+template <typename T>
+bool intersect_cube(const RayLocal<T>& ray, T unit, Span<T>& span);
+template <typename T>
+bool intersect_sphere(const RayLocal<T>& ray, T unit, Span<T>& span);
+template <typename T>
+bool intersect_cone(const RayLocal<T>& ray, T unit, Span<T>& span);
+template <typename T>
+bool intersect_cylinder(const RayLocal<T>& ray, T unit, Span<T>& span);
 
 template <typename T>
 inline bool intersect(PrimitiveKind kind, const RayLocal<T>& ray, T unit, Span<T>& span) {

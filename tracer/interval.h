@@ -1,4 +1,5 @@
-// Narrowing a ray's interval by one convex boundary after another.
+// Narrowing a ray's interval by one convex boundary after another (for
+// INTERSECTA, thesis 2.3.4).
 #pragma once
 
 #include <limits>

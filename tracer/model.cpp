@@ -4,8 +4,11 @@ namespace sir {
 
 template <typename T>
 Model<T>::Model(const Scene& scene, const EffectSet& allowed)
-    : solid(build_solid<T>(scene)), camera(scene.camera), background(scene.lighting.background),
-      ambient(scene.lighting.ambient), effects(effects_called_for(scene, allowed)) {
+    : solid(build_solid<T>(scene)),
+      camera(scene.camera),
+      background(scene.lighting.background),
+      ambient(scene.lighting.ambient),
+      effects(effects_called_for(scene, allowed)) {
   for (const Surface& surface : scene.surfaces) textures.emplace_back(surface);
   for (const Light& light : scene.lighting.lights)
     lights.push_back({{glm::vec<3, T>(light.position)}, Colour<T>(light.intensity)});

@@ -1,11 +1,12 @@
-// A scene made ready for tracing in one scalar type.
+// A scene made ready for tracing in one scalar type (BASICO's initialisation,
+// thesis 3.3).
 #pragma once
 
 #include <vector>
 
 #include "tracer/camera.h"
 #include "tracer/colour.h"
-#include "tracer/render_options.h"
+#include "tracer/effect_set.h"
 #include "tracer/solid.h"
 #include "tracer/texture.h"
 
@@ -25,7 +26,7 @@ struct Model {
   std::vector<Texture<T>> textures;  ///< index as in Scene::surfaces
   std::vector<PointLight<T>> lights;
   Colour<T> background, ambient;
-  EffectSet effects;                 ///< those that the scene calls for
+  EffectSet effects;  ///< those that the scene calls for
 
   Model(const Scene& scene, const EffectSet& allowed);
 };

@@ -1,5 +1,7 @@
 // The tolerances of the tracer, all of them, and the arithmetic that needs more
-// than T. Nothing here depends on the scale of a scene.
+// than T (the thesis's BASICO, 3.3, has only plain arithmetic). Nothing here
+// depends on the scale of a scene. Everything is compiled without contraction to
+// fused multiply-adds: they would make exact touches depend on the processor.
 #pragma once
 
 #include <algorithm>

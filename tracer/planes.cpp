@@ -19,9 +19,8 @@ std::vector<std::uint8_t> read_plane(const std::filesystem::path& path, ImageSiz
   if (length != size.pixels())
     throw FileError(path.string(), 0,
                     "holds " + std::to_string(length) + " bytes where an image of " +
-                        std::to_string(size.width) + "x" + std::to_string(size.height) +
-                        " has " + std::to_string(size.pixels()) +
-                        "; another size is given by --size WxH");
+                        std::to_string(size.width) + "x" + std::to_string(size.height) + " has " +
+                        std::to_string(size.pixels()) + "; another size is given by --size WxH");
   std::vector<std::uint8_t> bytes(size.pixels());
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

@@ -15,7 +15,8 @@ class ProberIn : public Prober {
     for (const Surface& surface : scene.surfaces) surface_numbers_.push_back(surface.number);
   }
 
-  const std::vector<ProbeHit>& hits(const glm::dvec3& origin, const glm::dvec3& direction) override {
+  const std::vector<ProbeHit>& hits(const glm::dvec3& origin,
+                                    const glm::dvec3& direction) override {
     // Traced with a direction near 1, so that lengths of 1e-150 and 1e150
     // neither underflow nor overflow; a power of two changes no digit of t.
     const double largest =

@@ -1,4 +1,4 @@
-// Where given rays cross the solid: classification without shading.
+// Where given rays cross the solid: RAY-TRACING (thesis 2.3.6) without shading.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ namespace sir {
 
 /// A boundary as the outside world names it.
 struct ProbeHit {
-  double t = 0;             ///< in units of the direction as given
+  double t = 0;  ///< in units of the direction as given
   bool entering = false;
-  std::int64_t node = 0;    ///< numbers as in the files
+  std::int64_t node = 0;  ///< numbers as in the files
   int face = 0;
   std::int64_t surface = 0;
 };

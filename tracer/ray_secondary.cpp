@@ -26,8 +26,8 @@ bool refracted(VectorCena<T> incident, VectorCena<T> normal, T n1, T n2, VectorC
   return true;
 }
 
-#define SIR_INSTANTIATE(T)                                            \
-  template VectorCena<T> mirrored(VectorCena<T>, VectorCena<T>);      \
+#define SIR_INSTANTIATE(T)                                       \
+  template VectorCena<T> mirrored(VectorCena<T>, VectorCena<T>); \
   template bool refracted(VectorCena<T>, VectorCena<T>, T, T, VectorCena<T>&);
 SIR_INSTANTIATE(float)
 SIR_INSTANTIATE(double)

@@ -34,8 +34,12 @@ class Rendering {
  public:
   Rendering(const Model<T>& model, const RenderOptions& options, const Region& region,
             const std::function<void(double)>& progress, std::stop_token stop)
-      : model_(model), options_(options), region_(region), progress_(progress),
-        stop_(std::move(stop)), across_((region.width + kTile - 1) / kTile),
+      : model_(model),
+        options_(options),
+        region_(region),
+        progress_(progress),
+        stop_(std::move(stop)),
+        across_((region.width + kTile - 1) / kTile),
         tiles_(across_ * ((region.height + kTile - 1) / kTile)),
         planes_(ImageSize{region.width, region.height}) {}
 
@@ -138,9 +142,8 @@ RenderResult render(const Scene& scene, const RenderOptions& options,
 }
 
 PixelTrace trace_pixel(const Scene& scene, const RenderOptions& options, int i, int j) {
-  return options.precision == Precision::float_
-             ? trace_pixel_in<float>(scene, options, i, j)
-             : trace_pixel_in<double>(scene, options, i, j);
+  return options.precision == Precision::float_ ? trace_pixel_in<float>(scene, options, i, j)
+                                                : trace_pixel_in<double>(scene, options, i, j);
 }
 
 }  // namespace sir

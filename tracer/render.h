@@ -6,8 +6,9 @@
 #include <stop_token>
 
 #include "tracer/planes.h"
-#include "tracer/render_options.h"
+#include "tracer/ray_counts.h"
 #include "tracer/trace_log.h"
+#include "tracer/trace_options.h"
 
 namespace sir {
 
@@ -27,12 +28,12 @@ struct RenderOptions {
 };
 
 struct RenderResult {
-  Planes planes;            ///< of the region
+  Planes planes;  ///< of the region
   RayCounts counts;
   double prepare_seconds = 0;  ///< matrices, envelopes, hierarchy
   double trace_seconds = 0;
-  EffectSet effects;        ///< those that ran
-  bool complete = true;     ///< false: stopped before the end
+  EffectSet effects;     ///< those that ran
+  bool complete = true;  ///< false: stopped before the end
 };
 
 /// Renders; the planes are the same for any number of threads. `progress`, if

@@ -37,7 +37,8 @@ struct CsgNode {
   std::array<std::int64_t, 6> surfaces{};  ///< surface number of each face
   bool surface_per_face = false;           ///< written in the file one per face
   Placement placement;
-  std::size_t line = 0;  ///< where the node stands in its file; 0: in none
+  std::size_t line = 0;           ///< where the node stands in its file; 0: in none
+  std::size_t surfaces_line = 0;  ///< where its surface numbers stand
 };
 
 /// The tree of composition (fig. 2.5), in the file's order. It may be a chain
@@ -55,7 +56,7 @@ struct CameraFile {
   double distance = 1;          ///< from the screen's centre to the target
   glm::dvec3 up{0, 1, 0};
   bool parallel = false;
-  double focal = 1;             ///< Zf; equals `distance` where the file has no sixth line
+  double focal = 1;  ///< Zf; equals `distance` where the file has no sixth line
   bool focal_given = false;
 };
 
@@ -74,12 +75,12 @@ struct Lighting {
 
 /// CAR_REF_LUZ_SUP (2.4.3): how a surface reflects and transmits light.
 struct Coefficients {
-  glm::dvec3 ambient{0};     ///< kar kag kab
-  glm::dvec3 diffuse{0};     ///< kdr kdg kdb
-  double specular = 0;       ///< ks
-  double exponent = 0;       ///< n
-  double transmission = 0;   ///< kt
-  double index = 0;          ///< ir, refraction
+  glm::dvec3 ambient{0};    ///< kar kag kab
+  glm::dvec3 diffuse{0};    ///< kdr kdg kdb
+  double specular = 0;      ///< ks
+  double exponent = 0;      ///< n
+  double transmission = 0;  ///< kt
+  double index = 0;         ///< ir, refraction
 };
 
 /// LISA: one set of coefficients. XADREZ: a chequerboard of two (2.4.4).
@@ -89,7 +90,7 @@ struct Surface {
   std::int64_t number = 0;
   std::string name;
   TextureKind texture = TextureKind::plain;
-  Coefficients first, second;            ///< second: odd cells of XADREZ
+  Coefficients first, second;             ///< second: odd cells of XADREZ
   std::int64_t cells_u = 1, cells_v = 1;  ///< nu, nv of XADREZ
 };
 

@@ -25,7 +25,7 @@ std::vector<Surface> read_surfaces(TextFile& file);
 void check_surfaces(const CsgTree& tree, const std::vector<Surface>& surfaces,
                     const std::string& csg_name, const std::string& surfaces_name);
 
-/// The files' text, in the contract's layout; numbers are written so that they
+/// The files' text, in the layout of docs/scene-format.md; numbers are written so that they
 /// read back to the same bits.
 std::string csg_text(const CsgTree& tree);
 std::string camera_text(const CameraFile& camera);

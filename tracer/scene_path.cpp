@@ -10,8 +10,7 @@ std::filesystem::path with_suffix(const std::filesystem::path& base, std::string
   return std::filesystem::path(base) += "." + std::string(suffix);
 }
 
-std::filesystem::path find_by_suffix(const std::filesystem::path& base,
-                                     std::string_view suffix) {
+std::filesystem::path find_by_suffix(const std::filesystem::path& base, std::string_view suffix) {
   std::string lower(suffix);
   for (char& letter : lower)
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
@@ -20,9 +19,9 @@ std::filesystem::path find_by_suffix(const std::filesystem::path& base,
   std::error_code ignored;
   if (std::filesystem::exists(upper_path, ignored)) return upper_path;
   if (std::filesystem::exists(lower_path, ignored)) return lower_path;
-  throw FileError(upper_path.string(), 0,
-                  "is missing (looked for " + upper_path.string() + " and " +
-                      lower_path.string() + ")");
+  throw FileError(
+      upper_path.string(), 0,
+      "is missing (looked for " + upper_path.string() + " and " + lower_path.string() + ")");
 }
 
 }  // namespace sir

@@ -12,7 +12,6 @@ std::filesystem::path with_suffix(const std::filesystem::path& base, std::string
 /// The existing file BASE.SUFFIX, the suffix (given in upper case) in upper
 /// or lower case, upper case first. Throws FileError that tells where it was
 /// looked for.
-std::filesystem::path find_by_suffix(const std::filesystem::path& base,
-                                     std::string_view suffix);
+std::filesystem::path find_by_suffix(const std::filesystem::path& base, std::string_view suffix);
 
 }  // namespace sir

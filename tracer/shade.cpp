@@ -48,8 +48,8 @@ Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& 
   return sum;
 }
 
-template Colour<float> shade(const Model<float>&, Classifier<float>&, const Hit<float>&,
-                             RayCounts&, std::vector<glm::dvec3>*);
+template Colour<float> shade(const Model<float>&, Classifier<float>&, const Hit<float>&, RayCounts&,
+                             std::vector<glm::dvec3>*);
 template Colour<double> shade(const Model<double>&, Classifier<double>&, const Hit<double>&,
                               RayCounts&, std::vector<glm::dvec3>*);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracer/hit.h"
+#include "tracer/ray_counts.h"
 
 namespace sir {
 

@@ -89,8 +89,8 @@ Solid<T> build_solid(const Scene& scene) {
     open.pop_back();
     const CsgNode& node = scene.tree.nodes[item.node];
     // Node, right, left is reverse Polish order read backwards.
-    solid.polish.push_back({!node.composite, node.operation,
-                            static_cast<std::uint32_t>(solid.leaves.size())});
+    solid.polish.push_back(
+        {!node.composite, node.operation, static_cast<std::uint32_t>(solid.leaves.size())});
     if (!node.composite) {
       Leaf<T> leaf = make_leaf<T>(node, surface_index, solid.roundings);
       leaf.gate = item.gate;

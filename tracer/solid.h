@@ -18,14 +18,14 @@ namespace sir {
 template <typename T>
 struct Leaf {
   LocalCena<T> placement;
-  T unit = 0;                            ///< the common divisor of `placement`; 0: it has none
-  T stretch = 1;                         ///< largest row sum of |CENA_LOCAL|: how far a step
-                                         ///< of 1 in SC_CENA may reach in SC_LOCAL
+  T unit = 0;                               ///< the common divisor of `placement`; 0: it has none
+  T stretch = 1;                            ///< largest row sum of |CENA_LOCAL|: how far a step
+                                            ///< of 1 in SC_CENA may reach in SC_LOCAL
   std::array<std::uint32_t, 6> surfaces{};  ///< index into Scene::surfaces, by face
-  std::int64_t node = 0;                 ///< the node's number in the file
-  std::int32_t gate = -1;                ///< the gate that it feeds; -1: it is the whole solid
+  std::int64_t node = 0;                    ///< the node's number in the file
+  std::int32_t gate = -1;                   ///< the gate that it feeds; -1: it is the whole solid
   PrimitiveKind kind = PrimitiveKind::cube;
-  bool complemented = false;             ///< feeds "outside" instead of "inside"
+  bool complemented = false;  ///< feeds "outside" instead of "inside"
 };
 
 /// One node of the flattened composition: inside when at least `needed` of its

@@ -34,7 +34,7 @@ std::vector<Surface> read_surfaces(TextFile& file) {
   const auto announced = file.read_count("the number of surfaces");
   for (std::int64_t i = 0; i < announced; ++i) {
     if (file.at_end())
-      file.fail("the file announces " + std::to_string(announced) + " surfaces and ends after " +
+      file.fail("the file announces " + counted(announced, "surface") + " and ends after " +
                 std::to_string(i));
     Surface surface;
     surface.number = file.read_count("a surface's number");
@@ -56,8 +56,7 @@ std::vector<Surface> read_surfaces(TextFile& file) {
     surfaces.push_back(std::move(surface));
   }
   if (file.next())
-    file.fail("the file announces " + std::to_string(announced) +
-              " surfaces and goes on after them");
+    file.fail("the file announces " + counted(announced, "surface") + " and goes on");
   return surfaces;
 }
 

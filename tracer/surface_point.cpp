@@ -12,7 +12,9 @@ constexpr int kConeSide = 0;
 constexpr int kCylinderTop = 1, kCylinderSide = 2;
 
 template <typename T>
-T unit(T x) { return std::clamp(x, T(0), T(1)); }
+T unit(T x) {
+  return std::clamp(x, T(0), T(1));
+}
 
 template <typename T>
 T turn(T x, T z) {
@@ -27,12 +29,8 @@ template <typename T>
 NormalLocal<T> outward_normal(PrimitiveKind kind, int face, PointLocal<T> p) {
   NormalLocal<T> n;
   switch (kind) {
-    case PrimitiveKind::cube:
-      n.v[face / 2] = face % 2 == 0 ? T(-1) : T(1);
-      break;
-    case PrimitiveKind::sphere:
-      n.v = p.v;
-      break;
+    case PrimitiveKind::cube: n.v[face / 2] = face % 2 == 0 ? T(-1) : T(1); break;
+    case PrimitiveKind::sphere: n.v = p.v; break;
     case PrimitiveKind::cone:
       if (face == kConeSide) {
         // Gradient of x^2 + z^2 - (y-1)^2; on the side 1-y is the radius.
@@ -81,11 +79,11 @@ bool on_face(PrimitiveKind kind, int face, PointLocal<T> p, T tolerance) {
       return near(p.v[axis], T(face % 2)) && within(p.v[(axis + 1) % 3]) &&
              within(p.v[(axis + 2) % 3]);
     }
-    case PrimitiveKind::sphere:
-      return near(std::sqrt(x * x + y * y + z * z), T(1));
+    case PrimitiveKind::sphere: return near(std::sqrt(x * x + y * y + z * z), T(1));
     case PrimitiveKind::cone: {
       const T radius = std::sqrt(x * x + z * z);
-      return face == kConeSide ? near(radius, T(1) - y) && within(y) : near(y, T(0)) && within(radius);
+      return face == kConeSide ? near(radius, T(1) - y) && within(y)
+                               : near(y, T(0)) && within(radius);
     }
     case PrimitiveKind::cylinder: {
       const T radius = std::sqrt(x * x + z * z);
@@ -97,9 +95,9 @@ bool on_face(PrimitiveKind kind, int face, PointLocal<T> p, T tolerance) {
   return false;
 }
 
-#define SIR_INSTANTIATE(T)                                                     \
-  template NormalLocal<T> outward_normal(PrimitiveKind, int, PointLocal<T>);   \
-  template TextureUv<T> texture_uv(PrimitiveKind, int, PointLocal<T>);         \
+#define SIR_INSTANTIATE(T)                                                   \
+  template NormalLocal<T> outward_normal(PrimitiveKind, int, PointLocal<T>); \
+  template TextureUv<T> texture_uv(PrimitiveKind, int, PointLocal<T>);       \
   template bool on_face(PrimitiveKind, int, PointLocal<T>, T);
 SIR_INSTANTIATE(float)
 SIR_INSTANTIATE(double)

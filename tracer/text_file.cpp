@@ -3,6 +3,7 @@
 #include <locale.h>
 #include <utf8proc.h>
 
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -27,9 +28,8 @@ std::string_view trim(std::string_view text) {
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
     utf8proc_int32_t unused = 0;
-    const auto used =
-        utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
-                         static_cast<utf8proc_ssize_t>(text.size()), &unused);
+    const auto used = utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
+                                       static_cast<utf8proc_ssize_t>(text.size()), &unused);
     if (used <= 0) return false;
     text.remove_prefix(static_cast<std::size_t>(used));
   }
@@ -136,8 +136,7 @@ bool parse_number(std::string_view token, double& value) {
 bool parse_count(std::string_view token, std::int64_t& value) {
   const char* end = token.data() + token.size();
   const auto [stop, code] = std::from_chars(token.data(), end, value);
-  return code == std::errc{} && stop == end && value >= 0 && !token.empty() &&
-         token.front() != '-';
+  return code == std::errc{} && stop == end && value >= 0 && !token.empty() && token.front() != '-';
 }
 
 std::vector<std::string_view> split_tokens(std::string_view line) {

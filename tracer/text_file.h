@@ -1,7 +1,7 @@
 // Text files of the laboratory: lines, keywords and numbers (BASICO, thesis 3.3).
 #pragma once
 
-#include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -26,6 +26,12 @@ bool parse_count(std::string_view token, std::int64_t& value);
 /// `text` in quotation marks, as an error message shows it: what would disturb
 /// a terminal as "?", and no more than the first 40 bytes.
 std::string in_quotes(std::string_view text);
+
+/// "1 light", "2 lights".
+template <std::integral Count>
+std::string counted(Count count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
 
 /// Splits at white space.
 std::vector<std::string_view> split_tokens(std::string_view line);

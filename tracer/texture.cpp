@@ -5,17 +5,18 @@ namespace {
 
 template <typename T>
 Reflectance<T> converted(const Coefficients& k) {
-  return {Colour<T>(k.ambient),           Colour<T>(k.diffuse),
-          static_cast<T>(k.specular),     static_cast<T>(k.exponent),
-          static_cast<T>(k.transmission), static_cast<T>(k.index)};
+  return {Colour<T>(k.ambient),       Colour<T>(k.diffuse),           static_cast<T>(k.specular),
+          static_cast<T>(k.exponent), static_cast<T>(k.transmission), static_cast<T>(k.index)};
 }
 
 }  // namespace
 
 template <typename T>
 Texture<T>::Texture(const Surface& surface)
-    : first_(converted<T>(surface.first)), second_(converted<T>(surface.second)),
-      cells_u_(static_cast<T>(surface.cells_u)), cells_v_(static_cast<T>(surface.cells_v)),
+    : first_(converted<T>(surface.first)),
+      second_(converted<T>(surface.second)),
+      cells_u_(static_cast<T>(surface.cells_u)),
+      cells_v_(static_cast<T>(surface.cells_v)),
       chequer_(surface.texture == TextureKind::chequer) {}
 
 template <typename T>

@@ -6,11 +6,9 @@
 namespace sir {
 namespace {
 
-constexpr int kMirrored = 0, kThrough = 1, kDone = 2;  // Open::stage
-
 template <typename T>
 Coefficients to_double(const Reflectance<T>& k) {
-  return {glm::dvec3(k.ambient), glm::dvec3(k.diffuse), double(k.specular),
+  return {glm::dvec3(k.ambient), glm::dvec3(k.diffuse),  double(k.specular),
           double(k.exponent),    double(k.transmission), double(k.index)};
 }
 
@@ -39,55 +37,59 @@ bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T
   counts_.spans += classifier_.spans();
   Boundary<T> boundary;
   const bool met = classifier_.next(boundary);
-  std::size_t log_index = 0;
-  if (log_) {
-    log_index = log_->size();
-    TraceNode node;
-    if (!stack_.empty()) node.parent = stack_.back().log_index;
-    node.kind = kind;
-    node.depth = depth;
-    node.weight = double(path_weight);
-    node.factor = double(factor);
-    node.origin = glm::dvec3(ray.origin.v);
-    node.direction = glm::dvec3(ray.direction.v);
-    if (!met) node.colour = glm::dvec3(model_.background);
-    log_->push_back(node);
+  const std::size_t log_index = log_ ? log_ray(ray, path_weight, depth, kind, factor) : 0;
+  if (!met) {
+    if (log_) (*log_)[log_index].colour = glm::dvec3(model_.background);
+    return false;
   }
-  if (!met) return false;
-
   Open open{};
   open.hit = hit_at(model_, ray, boundary);
   open.path_weight = path_weight;
   open.depth = depth;
   open.log_index = log_index;
-  const Reflectance<T>& k = *open.hit.reflectance;
   // A ray that begins inside is in what it leaves; a face without an index says
   // nothing of it, and its mirrored ray is as unknowing.
-  if (index == 0) index = boundary.entering ? T(1) : k.index;
+  if (index == 0) index = boundary.entering ? T(1) : open.hit.reflectance->index;
   open.index = index;
-  std::vector<glm::dvec3>* lights = nullptr;
-  if (log_) {
-    TraceNode& node = (*log_)[log_index];
-    const Leaf<T>& leaf = model_.solid.leaves[boundary.leaf];
-    node.hit = true;
-    node.t = double(boundary.t);
-    node.entering = boundary.entering;
-    node.node = leaf.node;
-    node.face = boundary.face;
-    node.surface = leaf.surfaces[boundary.face];
-    node.coefficients = to_double(k);
-    node.point = glm::dvec3(open.hit.point.v);
-    node.normal = glm::dvec3(open.hit.normal.v);
-    lights = &node.lights;
-  }
-  open.colour = shade(model_, classifier_, open.hit, counts_, lights);
+  open.colour =
+      shade(model_, classifier_, open.hit, counts_, log_ ? &(*log_)[log_index].lights : nullptr);
   prepare_secondary(open);
-  if (log_) {
-    (*log_)[log_index].local = glm::dvec3(open.colour);
-    (*log_)[log_index].total_reflection = !open.has_through && open.hit.reflectance->transmission > 0;
-  }
+  if (log_) log_hit(open);
   stack_.push_back(open);
   return true;
+}
+
+template <typename T>
+std::size_t Tracer<T>::log_ray(const RayCena<T>& ray, T path_weight, int depth, RayKind kind,
+                               T factor) {
+  TraceNode node;
+  if (!stack_.empty()) node.parent = stack_.back().log_index;
+  node.kind = kind;
+  node.depth = depth;
+  node.weight = double(path_weight);
+  node.factor = double(factor);
+  node.origin = glm::dvec3(ray.origin.v);
+  node.direction = glm::dvec3(ray.direction.v);
+  log_->push_back(node);
+  return log_->size() - 1;
+}
+
+template <typename T>
+void Tracer<T>::log_hit(const Open& open) {
+  const Boundary<T>& boundary = open.hit.boundary;
+  const Leaf<T>& leaf = model_.solid.leaves[boundary.leaf];
+  TraceNode& node = (*log_)[open.log_index];
+  node.hit = true;
+  node.t = double(boundary.t);
+  node.entering = boundary.entering;
+  node.node = leaf.node;
+  node.face = boundary.face;
+  node.surface = leaf.surfaces[boundary.face];
+  node.coefficients = to_double(*open.hit.reflectance);
+  node.point = glm::dvec3(open.hit.point.v);
+  node.normal = glm::dvec3(open.hit.normal.v);
+  node.total_reflection = open.total_reflection;
+  node.local = glm::dvec3(open.colour);
 }
 
 template <typename T>
@@ -97,12 +99,13 @@ void Tracer<T>::prepare_secondary(Open& open) const {
   open.mirror_weight = effects.reflection ? k.specular : T(0);
   open.through_weight = effects.refraction ? k.transmission : T(0);
   open.index_beyond = open.hit.boundary.entering && k.index > 0 ? k.index : T(1);
-  open.has_through = false;
+  open.has_through = open.total_reflection = false;
   if (!effects.refraction || !(open.through_weight > 0 || effects.exhaustive)) return;
   const T index = open.index > 0 ? open.index : T(1);
   open.has_through =
       refracted(open.hit.incident, open.hit.normal, index, open.index_beyond, open.through);
-  if (!open.has_through) {  // total internal reflection: the share joins the mirrored ray
+  if (!open.has_through) {  // the transmitted share joins the mirrored ray
+    open.total_reflection = open.through_weight > 0;
     open.mirror_weight += open.through_weight;
     open.through_weight = 0;
   }
@@ -119,15 +122,15 @@ bool Tracer<T>::wanted(const Open& open, T weight) const {
 template <typename T>
 void Tracer<T>::advance() {
   Open& open = stack_.back();
-  const int stage = open.stage++;
-  if (stage == kDone) {
+  if (open.stage == Stage::done) {
     const Colour<T> colour = open.colour;
     if (log_) (*log_)[open.log_index].colour = glm::dvec3(colour);
     stack_.pop_back();
     deliver(colour);
     return;
   }
-  const bool mirror = stage == kMirrored;
+  const bool mirror = open.stage == Stage::mirror;
+  open.stage = mirror ? Stage::through : Stage::done;
   const T weight = mirror ? open.mirror_weight : open.through_weight;
   if (open.depth >= options_.depth_limit) {
     if (options_.past_limit == PastLimit::background && weight > 0)
@@ -139,6 +142,7 @@ void Tracer<T>::advance() {
   ++(mirror ? counts_.reflected : counts_.refracted);
   const RayCena<T> ray{open.hit.point,
                        mirror ? mirrored(open.hit.incident, open.hit.normal) : open.through};
+  open.awaited_weight = weight;
   const bool met = cast(ray, mirror ? open.hit.leaving_on_eye_side() : open.hit.leaving_through(),
                         mirror ? open.index : open.index_beyond, open.path_weight * weight,
                         open.depth + 1, mirror ? RayKind::reflected : RayKind::refracted, weight);
@@ -154,8 +158,7 @@ void Tracer<T>::deliver(Colour<T> colour) {
     return;
   }
   Open& parent = stack_.back();
-  const T weight = parent.stage - 1 == kMirrored ? parent.mirror_weight : parent.through_weight;
-  if (weight > 0) parent.colour += weight * colour;
+  if (parent.awaited_weight > 0) parent.colour += parent.awaited_weight * colour;
 }
 
 template class Tracer<float>;

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "tracer/hit.h"
+#include "tracer/ray_counts.h"
 #include "tracer/trace_log.h"
+#include "tracer/trace_options.h"
 
 namespace sir {
 
@@ -20,18 +22,21 @@ class Tracer {
   const RayCounts& counts() const { return counts_; }
 
  private:
+  enum class Stage : std::uint8_t { mirror, through, done };
+
   // A point whose secondary rays are under way. The tree is walked depth
   // first with these on a stack, so that its depth is bounded by memory only.
   struct Open {
     Hit<T> hit;
-    Colour<T> colour;     // so far
+    Colour<T> colour;                 // so far
     T mirror_weight, through_weight;  // ks (+ kt under total reflection), kt
     VectorCena<T> through;            // refracted direction, if there is one
-    bool has_through;
+    bool has_through, total_reflection;
     T index, index_beyond;  // of the medium that the ray came in, and behind the surface
     T path_weight;          // from the pixel to this ray
     int depth;
-    int stage;              // secondary rays dealt with
+    Stage stage;       // what comes next
+    T awaited_weight;  // of the secondary ray that is under way
     std::size_t log_index;
   };
 
@@ -41,6 +46,8 @@ class Tracer {
   void advance();
   bool wanted(const Open& open, T weight) const;
   void deliver(Colour<T> colour);
+  std::size_t log_ray(const RayCena<T>& ray, T path_weight, int depth, RayKind kind, T factor);
+  void log_hit(const Open& open);
 
   const Model<T>& model_;
   TraceOptions options_;

@@ -32,7 +32,8 @@ std::string describe(const TraceLog& log, const Scene& scene) {
     fmt::format_to(out, "{}  from {} along {}\n", indent, vector_text(node.origin),
                    vector_text(node.direction));
     if (!node.hit) {
-      fmt::format_to(out, "{}  leaves the scene: background {}\n", indent, vector_text(node.colour));
+      fmt::format_to(out, "{}  leaves the scene: background {}\n", indent,
+                     vector_text(node.colour));
       continue;
     }
     const Surface& surface = scene.surfaces[node.surface];

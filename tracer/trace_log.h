@@ -23,7 +23,7 @@ struct TraceNode {
   double weight = 1;  ///< product of the factors from the pixel down to this ray
   double factor = 1;  ///< ks, kt or (total reflection) ks + kt of the parent's surface
   glm::dvec3 origin{0}, direction{0};
-  bool hit = false;   ///< false: the ray leaves the scene and sees the background
+  bool hit = false;  ///< false: the ray leaves the scene and sees the background
   double t = 0;
   bool entering = false;
   std::int64_t node = 0;

@@ -16,7 +16,7 @@ glm::dvec3 read_vector(TextFile& file, std::string_view what) {
 }
 
 void refuse_negative(const TextFile& file, std::string_view what, const glm::dvec3& v) {
-  if (v.x < 0 || v.y < 0 || v.z < 0) file.fail(std::string(what) + ": must not be negative");
+  if (v.x < 0 || v.y < 0 || v.z < 0) file.fail(std::string(what) + " must not be negative");
 }
 
 bool are_parallel(const glm::dvec3& a, const glm::dvec3& b) {
@@ -56,7 +56,8 @@ CameraFile read_camera(TextFile& file) {
     }
     if (file.next()) file.fail("the camera has five lines and at most a sixth; this is one more");
   } else if (!(camera.distance > 0)) {
-    file.fail_at(distance_line, "the distance is 0, so a sixth line must give a focal distance or PARALELA");
+    file.fail_at(distance_line,
+                 "the distance is 0: a sixth line must give a focal distance or PARALELA");
   }
   return camera;
 }
@@ -70,27 +71,29 @@ Lighting read_lighting(TextFile& file) {
   const auto ambient = file.numbers_here("ambient light");
   if (ambient.size() == 1) lighting.ambient = glm::dvec3(ambient[0]);
   else if (ambient.size() == 3) lighting.ambient = {ambient[0], ambient[1], ambient[2]};
-  else file.fail("ambient light: one number or three expected, " + std::to_string(ambient.size()) + " found");
+  else
+    file.fail("ambient light: one number or three expected, " + std::to_string(ambient.size()) +
+              " found");
   refuse_negative(file, "ambient light", lighting.ambient);
 
   const auto announced = file.read_count("the number of lights");
   for (std::int64_t i = 0; i < announced; ++i) {
     if (file.at_end())
-      file.fail("the file announces " + std::to_string(announced) + " lights and ends after " +
+      file.fail("the file announces " + counted(announced, "light") + " and ends after " +
                 std::to_string(i));
     file.next();
     const std::string what = "light " + std::to_string(i + 1);
     const auto v = file.numbers_here(what);
     if (v.size() != 6 && v.size() != 4)
-      file.fail(what + ": x y z r g b or x y z i expected, " + std::to_string(v.size()) + " numbers found");
+      file.fail(what + ": x y z r g b or x y z i expected, " + std::to_string(v.size()) +
+                " numbers found");
     Light light;
     light.position = {v[0], v[1], v[2]};
     light.intensity = v.size() == 6 ? glm::dvec3(v[3], v[4], v[5]) : glm::dvec3(v[3]);
-    refuse_negative(file, what + ": intensity", light.intensity);
+    refuse_negative(file, what + "'s intensity", light.intensity);
     lighting.lights.push_back(light);
   }
-  if (file.next())
-    file.fail("the file announces " + std::to_string(announced) + " lights and goes on after them");
+  if (file.next()) file.fail("the file announces " + counted(announced, "light") + " and goes on");
   return lighting;
 }
 

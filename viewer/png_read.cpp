@@ -97,8 +97,8 @@ class PngReader {
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_read_info(png_, info_);
     int bits = 0;
-    png_get_IHDR(png_, info_, &header_.width, &header_.height, &bits, &header_.colour_type,
-                 nullptr, nullptr, nullptr);
+    png_get_IHDR(png_, info_, &header_.width, &header_.height, &bits, &header_.colour_type, nullptr,
+                 nullptr, nullptr);
     const bool transparency = png_get_valid(png_, info_, PNG_INFO_tRNS) != 0;
     if (header_.colour_type == PNG_COLOR_TYPE_PALETTE) {
       read_palette(transparency);
@@ -130,8 +130,8 @@ class PngReader {
     Planes planes(ImageSize{static_cast<int>(header_.width), static_cast<int>(header_.height)});
     const png_byte* sample = pixels_.get();
     for (std::size_t i = 0; i < planes.size.pixels(); ++i, sample += header_.samples)
-      planes.set(i, header_.colour_type == PNG_COLOR_TYPE_PALETTE ? entry(*sample, i)
-                                                                  : colour(sample, i));
+      planes.set(
+          i, header_.colour_type == PNG_COLOR_TYPE_PALETTE ? entry(*sample, i) : colour(sample, i));
     return planes;
   }
 

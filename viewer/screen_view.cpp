@@ -57,8 +57,8 @@ std::filesystem::path ScreenView::save_capture(const std::filesystem::path& fold
 void ScreenView::show(std::size_t number) {
   current_ = number;
   const ShownImage& shown = images_[number];
-  area_ = show_image(monitor_, {shown.base.string(), shown.size, shown.indices}, shown.lut,
-                     oversize_);
+  area_ =
+      show_image(monitor_, {shown.base.string(), shown.size, shown.indices}, shown.lut, oversize_);
   if (oversize_ == eltek::Oversize::refuse) area_ = {0, 0, eltek::Ma120::kSize};
   monitor_.lut_ports.write_pixel_mask(planes_);
 }

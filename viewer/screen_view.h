@@ -15,8 +15,8 @@ namespace sir::viewer {
 
 /// An image that is ready for the monitor.
 struct ShownImage {
-  std::filesystem::path base;         ///< base name; names screenshots too
-  std::string lut_name;               ///< for the title: a file, or how it was chosen
+  std::filesystem::path base;  ///< base name; names screenshots too
+  std::string lut_name;        ///< for the title: a file, or how it was chosen
   ImageSize size;
   std::vector<std::uint8_t> indices;  ///< one a pixel, rows from the top
   quant::Lut lut;

@@ -140,12 +140,8 @@ class Window::Impl {
 
   void handle(const SDL_Event& event) {
     switch (event.type) {
-      case SDL_QUIT:
-        closed_ = true;
-        break;
-      case SDL_KEYDOWN:
-        press(event.key);
-        break;
+      case SDL_QUIT: closed_ = true; break;
+      case SDL_KEYDOWN: press(event.key); break;
       case SDL_WINDOWEVENT:
         if (event.window.event == SDL_WINDOWEVENT_EXPOSED ||
             event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED)
@@ -156,8 +152,7 @@ class Window::Impl {
         texture_.reset();  // its content is lost
         stale_ = true;
         break;
-      default:
-        break;
+      default: break;
     }
   }
 

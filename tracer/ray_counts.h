@@ -1,0 +1,23 @@
+// What rays were cast (the costs of thesis 2.5).
+#pragma once
+
+#include <cstdint>
+
+namespace sir {
+
+/// Rays cast, by kind, and intersections found.
+struct RayCounts {
+  std::uint64_t primary = 0, reflected = 0, refracted = 0, shadow = 0;
+  std::uint64_t spans = 0;  ///< primitives that those rays went through
+
+  RayCounts& operator+=(const RayCounts& other) {
+    primary += other.primary;
+    reflected += other.reflected;
+    refracted += other.refracted;
+    shadow += other.shadow;
+    spans += other.spans;
+    return *this;
+  }
+};
+
+}  // namespace sir

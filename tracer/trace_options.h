@@ -1,0 +1,22 @@
+// What a person may choose about TRACE (thesis 3.3).
+#pragma once
+
+#include <cstdint>
+
+#include "tracer/classify.h"
+#include "tracer/effect_set.h"
+
+namespace sir {
+
+/// What stands for R and T where the depth limit cuts them off (2.4.3).
+enum class PastLimit : std::uint8_t { zero, background };
+
+struct TraceOptions {
+  int depth_limit = 5;  ///< a primary hit has depth 1; secondary rays are cast below the limit
+  double cutoff = 0;    ///< adaptive control: no secondary ray of less weight (Hall 1983)
+  PastLimit past_limit = PastLimit::zero;
+  EffectSet allowed_effects;
+  Engine engine = Engine::gates;
+};
+
+}  // namespace sir
