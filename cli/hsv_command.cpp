@@ -1,21 +1,15 @@
 #include "cli/hsv_command.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <iterator>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "cli/interrupt.h"
+#include "cli/line_input.h"
 #include "quant/color_space.h"
 #include "quant/grid.h"
-#include "tracer/error.h"
 
 namespace sir::cli {
 namespace {
@@ -39,21 +33,22 @@ bool parse_colour(std::string_view line, Rgb8& colour) {
   return without_leading_space(line).empty();
 }
 
-/// Answers lines that come in pieces.
+/// Answers to lines, collected.
 class Answers {
  public:
-  /// Answers every line that ends in `piece`; keeps the rest for the next one.
-  void feed(std::string_view piece) {
-    for (auto end = piece.find('\n'); end != std::string_view::npos; end = piece.find('\n')) {
-      finish(piece.substr(0, end));
-      piece.remove_prefix(end + 1);
-    }
-    keep(piece);
-  }
-
-  /// Answers a last line that no line end follows.
-  void end() {
-    if (!rest_.empty() || too_long_) finish({});
+  void answer(std::string_view line, bool too_long) {
+    if (too_long) return refuse("the line is too long");
+    if (without_leading_space(line).empty()) return;
+    Rgb8 colour;
+    if (!parse_colour(line, colour)) return refuse("three integers from 0 to 255 expected");
+    ++lines_;
+    const auto to = std::back_inserter(text_);
+    const quant::Hsv true_value = quant::hsv_of(colour);
+    fmt::format_to(to, R"({{"h":{:.17g},"s":{:.17g},"v":{:.17g},)", true_value.h, true_value.s,
+                   true_value.v);
+    const auto [h, s, v] = grid_.point(grid_.cell(colour));
+    if (h == grid_.grey_plane()) fmt::format_to(to, "\"grey\":{}}}\n", v);
+    else fmt::format_to(to, "\"bin\":[{},{},{}]}}\n", h, s, v);
   }
 
   /// Prints what has been answered so far.
@@ -67,41 +62,6 @@ class Answers {
   std::size_t bad() const { return bad_; }
 
  private:
-  void keep(std::string_view part) {
-    // A line without end must not fill the memory: its rest is dropped.
-    too_long_ = too_long_ || rest_.size() + part.size() > kLongestLine;
-    if (!too_long_) rest_.append(part);
-  }
-
-  void finish(std::string_view part) {
-    if (rest_.empty() && !too_long_ && part.size() <= kLongestLine) {
-      answer(part);
-      return;
-    }
-    keep(part);
-    if (too_long_) refuse("the line is too long");
-    else answer(rest_);
-    rest_.clear();
-    too_long_ = false;
-  }
-
-  void answer(std::string_view line) {
-    if (without_leading_space(line).empty()) return;
-    Rgb8 colour;
-    if (!parse_colour(line, colour)) {
-      refuse("three integers from 0 to 255 expected");
-      return;
-    }
-    ++lines_;
-    const auto to = std::back_inserter(text_);
-    const quant::Hsv true_value = quant::hsv_of(colour);
-    fmt::format_to(to, R"({{"h":{:.17g},"s":{:.17g},"v":{:.17g},)", true_value.h, true_value.s,
-                   true_value.v);
-    const auto [h, s, v] = grid_.point(grid_.cell(colour));
-    if (h == grid_.grey_plane()) fmt::format_to(to, "\"grey\":{}}}\n", v);
-    else fmt::format_to(to, "\"bin\":[{},{},{}]}}\n", h, s, v);
-  }
-
   void refuse(std::string_view reason) {
     ++lines_;
     ++bad_;
@@ -110,30 +70,17 @@ class Answers {
 
   quant::HsvGrid grid_;
   fmt::memory_buffer text_;
-  std::string rest_;  // of a line whose end has not come yet
-  bool too_long_ = false;
   std::size_t lines_ = 0, bad_ = 0;
 };
 
 }  // namespace
 
-int run_hsv(std::FILE* in, const Session& session) {
+int run_hsv(int descriptor, const Session& session) {
   Answers answers;
-  std::vector<char> piece(std::size_t{1} << 18);
-  // read() gives what a pipe holds, where fread would wait for a full buffer:
-  // a program that asks line by line gets each answer at once.
-  while (true) {
-    const ssize_t got = ::read(::fileno(in), piece.data(), piece.size());
-    if (interrupted()) return kInterrupted;
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0)
-      throw FileError("standard input", 0, std::string("cannot be read: ") + std::strerror(errno));
-    if (got == 0) break;
-    answers.feed({piece.data(), static_cast<std::size_t>(got)});
-    answers.flush();
-  }
-  answers.end();
-  answers.flush();
+  const bool whole = for_each_line(
+      descriptor, [&](std::string_view line, bool too_long) { answers.answer(line, too_long); },
+      [&] { answers.flush(); });
+  if (!whole) return kInterrupted;
   detail(session, fmt::format("{} colours answered, {} bad lines", answers.lines() - answers.bad(),
                               answers.bad()));
   return answers.bad() == 0 ? kDone : kFailed;

@@ -1,25 +1,23 @@
-// Lines of standard input, of bounded length.
+// Lines of standard input, for commands that answer one line with one line (the
+// thesis has none).
 #pragma once
 
 #include <cstddef>
-#include <istream>
-#include <string>
+#include <functional>
+#include <string_view>
 
 namespace sir::cli {
 
-/// Reads one line without its end; false when the input has ended. Of a line
-/// longer than `limit` bytes the rest is passed over, and `too_long` set.
-inline bool read_line(std::istream& in, std::string& line, bool& too_long,
-                      std::size_t limit = 1 << 16) {
-  line.clear();
-  too_long = false;
-  auto* buffer = in.rdbuf();
-  for (int letter = buffer->sbumpc();; letter = buffer->sbumpc()) {
-    if (letter == std::istream::traits_type::eof()) return !line.empty() || too_long;
-    if (letter == '\n') return true;
-    if (line.size() < limit) line += static_cast<char>(letter);
-    else too_long = true;
-  }
-}
+/// A longer line counts as bad; its rest is not kept in memory.
+inline constexpr std::size_t kLongestLine = std::size_t{1} << 16;
+
+/// Calls `answer` for each line read from the descriptor, without its end;
+/// too_long stands for a line of more than kLongestLine bytes. Calls `flush`
+/// whenever more has to be waited for, so that one who asks line by line gets
+/// each answer at once, and at the end. False where a signal ended it. Throws
+/// FileError where reading fails.
+bool for_each_line(int descriptor,
+                   const std::function<void(std::string_view line, bool too_long)>& answer,
+                   const std::function<void()>& flush);
 
 }  // namespace sir::cli

@@ -1,6 +1,7 @@
 #include "cli/options.h"
 
-#include <cstdio>
+#include <unistd.h>
+
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -12,7 +13,6 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/hsv_command.h"
-#include "cli/interrupt.h"
 #include "cli/lut_command.h"
 #include "cli/option_values.h"
 #include "cli/planes_command.h"
@@ -163,11 +163,7 @@ void add_probe(CLI::App& app, Action& action) {
   sub->callback([&action, command] {
     command->base = given_base(command->base);
     action = [command](const Session& session) {
-      const int code = run_probe(*command, std::cin, session);
-      // A stream takes an error for the end; standard input's own flag tells.
-      if (std::ferror(stdin) != 0 && !interrupted())
-        throw FileError("standard input", 0, "cannot be read");
-      return code;
+      return run_probe(*command, STDIN_FILENO, session);
     };
   });
 }
@@ -286,8 +282,9 @@ void add_table(CLI::App& app, Action& action) {
 void add_hsv(CLI::App& app, Action& action) {
   auto* sub =
       app.add_subcommand("hsv", "Bytes `r g b` in, one a line; their place in the HSV grid out");
-  sub->callback(
-      [&action] { action = [](const Session& session) { return run_hsv(stdin, session); }; });
+  sub->callback([&action] {
+    action = [](const Session& session) { return run_hsv(STDIN_FILENO, session); };
+  });
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/interrupt.h"
 #include "cli/line_input.h"
 #include "tracer/probe.h"
 #include "tracer/scene_file.h"
@@ -42,16 +41,14 @@ void append_hits(std::string& text, const std::vector<ProbeHit>& hits) {
 
 }  // namespace
 
-int run_probe(const ProbeCommand& command, std::istream& in, const Session&) {
+int run_probe(const ProbeCommand& command, int descriptor, const Session&) {
   const Scene scene = read_scene(command.base);
   const auto prober = make_prober(scene, command.precision, command.engine);
-  bool all_good = true, too_long = false;
-  std::string line, text;
-  constexpr std::size_t kBlock = 1 << 16;
-  while (read_line(in, line, too_long)) {
-    if (interrupted()) return kInterrupted;
+  bool all_good = true;
+  std::string text;
+  const auto answer = [&](std::string_view line, bool too_long) {
     const auto tokens = split_tokens(line);
-    if (tokens.empty() && !too_long) continue;
+    if (tokens.empty() && !too_long) return;
     glm::dvec3 origin, direction;
     std::string wrong = too_long ? "the line is too long" : parse_ray(tokens, origin, direction);
     if (wrong.empty()) {
@@ -65,14 +62,13 @@ int run_probe(const ProbeCommand& command, std::istream& in, const Session&) {
       text += "{\"error\":\"" + wrong + "\"}\n";
       all_good = false;
     }
-    // In blocks when rays come in a stream; at once when they are typed.
-    if (text.size() > kBlock || in.rdbuf()->in_avail() <= 0) {
-      print(text);
-      flush_output();
-      text.clear();
-    }
-  }
-  print(text);
+  };
+  const auto flush = [&] {
+    print(text);
+    flush_output();
+    text.clear();
+  };
+  if (!for_each_line(descriptor, answer, flush)) return kInterrupted;
   return all_good ? kDone : kFailed;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <istream>
 
 #include "cli/session.h"
 #include "tracer/render.h"
@@ -18,6 +17,6 @@ struct ProbeCommand {
 
 /// One JSON line for each line `ox oy oz dx dy dz`; a bad line gives an error
 /// object in its place and exit code 1 at the end. Blank lines are passed over.
-int run_probe(const ProbeCommand& command, std::istream& in, const Session& session);
+int run_probe(const ProbeCommand& command, int descriptor, const Session& session);
 
 }  // namespace sir::cli
