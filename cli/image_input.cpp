@@ -1,6 +1,7 @@
 #include "cli/image_input.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 
 #include "tracer/atomic_file.h"
@@ -26,11 +27,14 @@ Planes load_image(const std::filesystem::path& input, ImageSize size) {
 }
 
 void refuse_input_file(const std::filesystem::path& output, const std::filesystem::path& input) {
+  const auto refuse = [&](std::initializer_list<const char*> suffixes) {
+    for (const char* suffix : suffixes)
+      refuse_same_file(output, with_suffix(base_name(input), suffix));
+  };
   if (is_png(input)) refuse_same_file(output, input);
-  // A slip of the suffix must not cost a plane, or the scene that they came from.
-  for (const char* suffix :
-       {"R", "G", "B", "CSG", "CAM", "LUZ", "SUP", "r", "g", "b", "csg", "cam", "luz", "sup"})
-    refuse_same_file(output, with_suffix(base_name(input), suffix));
+  else refuse({"R", "G", "B", "r", "g", "b"});
+  // A slip of the suffix must not cost the scene that the image came from.
+  refuse({"CSG", "CAM", "LUZ", "SUP", "csg", "cam", "luz", "sup"});
 }
 
 }  // namespace sir::cli

@@ -17,8 +17,8 @@ std::filesystem::path base_name(const std::filesystem::path& input);
 /// BASE.B, which have `size` (a PNG tells its own). Throws FileError.
 Planes load_image(const std::filesystem::path& input, ImageSize size);
 
-/// Refuses (FileError) an output that is one of the files of the input: the PNG,
-/// a plane, or one of the four files of the scene.
+/// Refuses (FileError) an output that is one of the files of the input: the PNG
+/// or a plane, whichever is read, or one of the four files of its scene.
 void refuse_input_file(const std::filesystem::path& output, const std::filesystem::path& input);
 
 }  // namespace sir::cli

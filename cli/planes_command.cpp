@@ -8,6 +8,7 @@
 #include "viewer/png_file.h"
 
 namespace sir::cli {
+
 int run_planes(const PlanesOptions& options, const Session& session) {
   const Planes planes = load_image(options.input, options.size);
   const auto beside = output_base(base_name(options.input), options.folder);

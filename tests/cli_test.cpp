@@ -197,6 +197,10 @@ TEST_F(CliTest, PlanesGoToPngAndBack) {
   EXPECT_EQ(back.exit_code, 0) << back.err;
   EXPECT_NE(back.out.find("64x48"), std::string::npos) << back.out;
   EXPECT_EQ(folder.read("new/copy.R"), red);
+  // Old planes beside the PNG are no input, and may be written over.
+  folder.write("s.R", std::string(64 * 48, 'x'));
+  EXPECT_EQ(sir({"planes", "s.png"}).exit_code, 0);
+  EXPECT_EQ(folder.read("s.R"), red);
   EXPECT_EQ(read_planes(folder / "new/copy", {64, 48}), read_planes(folder / "s", {64, 48}));
 }
 

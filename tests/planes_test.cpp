@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
+#include "tests/random_planes.h"
 #include "tests/reason_of.h"
 #include "tests/temp_folder.h"
 #include "tracer/error.h"
@@ -19,14 +18,6 @@ std::string reason_of_reading(const fs::path& base, ImageSize size) {
   return test::reason_of([&] { read_planes(base, size); });
 }
 
-Planes noise(ImageSize size, unsigned seed) {
-  std::mt19937 random(seed);
-  Planes planes(size);
-  for (auto& plane : planes.channel)
-    for (auto& byte : plane) byte = static_cast<std::uint8_t>(random());
-  return planes;
-}
-
 class PlanesTest : public testing::Test {
  protected:
   test::TempFolder folder;
@@ -34,7 +25,7 @@ class PlanesTest : public testing::Test {
 
 TEST_F(PlanesTest, ComeBackAsTheyWere) {
   for (const ImageSize size : {ImageSize{1, 1}, ImageSize{7, 5}, ImageSize{640, 480}}) {
-    const Planes planes = noise(size, 3);
+    const Planes planes = test::random_planes(size, 3);
     write_planes(folder / "image", planes);
     EXPECT_EQ(read_planes(folder / "image", size), planes);
   }
@@ -55,7 +46,7 @@ TEST_F(PlanesTest, AreRowsFromTheTopWithoutAHeader) {
 }
 
 TEST_F(PlanesTest, TheSuffixMayBeInLowerCase) {
-  const Planes planes = noise({4, 4}, 5);
+  const Planes planes = test::random_planes({4, 4}, 5);
   write_planes(folder / "image", planes);
   for (const char* suffix : {"r", "g", "b"}) {
     const std::string upper{static_cast<char>(suffix[0] - 'a' + 'A')};
@@ -70,12 +61,12 @@ TEST_F(PlanesTest, TheSuffixMayBeInLowerCase) {
 TEST_F(PlanesTest, ADotInTheNameIsKept) {
   EXPECT_EQ(with_suffix("a/v1.5", "R"), fs::path("a/v1.5.R"));
   EXPECT_EQ(plane_path("a/v1.5", 2), fs::path("a/v1.5.B"));
-  write_planes(folder / "v1.5", noise({2, 2}, 1));
-  EXPECT_EQ(read_planes(folder / "v1.5", {2, 2}), noise({2, 2}, 1));
+  write_planes(folder / "v1.5", test::random_planes({2, 2}, 1));
+  EXPECT_EQ(read_planes(folder / "v1.5", {2, 2}), test::random_planes({2, 2}, 1));
 }
 
 TEST_F(PlanesTest, AnotherLengthIsRefusedWithTheWayOut) {
-  write_planes(folder / "image", noise({4, 4}, 5));
+  write_planes(folder / "image", test::random_planes({4, 4}, 5));
   const std::string g = (folder / "image.G").string();
   for (const std::size_t length : {15u, 17u, 0u}) {
     folder.write("image.G", std::string(length, 'x'));
@@ -86,7 +77,7 @@ TEST_F(PlanesTest, AnotherLengthIsRefusedWithTheWayOut) {
 }
 
 TEST_F(PlanesTest, AMissingPlaneIsNamedWithThePlacesLookedAt) {
-  write_planes(folder / "image", noise({4, 4}, 5));
+  write_planes(folder / "image", test::random_planes({4, 4}, 5));
   for (const char* suffix : {"B", "G", "R"}) {
     fs::remove(with_suffix(folder / "image", suffix));
     const std::string upper = with_suffix(folder / "image", suffix).string();
@@ -98,7 +89,7 @@ TEST_F(PlanesTest, AMissingPlaneIsNamedWithThePlacesLookedAt) {
 }
 
 TEST_F(PlanesTest, AFolderIsNoPlane) {
-  write_planes(folder / "image", noise({4, 4}, 5));
+  write_planes(folder / "image", test::random_planes({4, 4}, 5));
   fs::remove(folder / "image.G");
   fs::create_directory(folder / "image.G");
   EXPECT_EQ(reason_of_reading(folder / "image", {4, 4}).find((folder / "image.G").string() + ": "),
@@ -106,12 +97,12 @@ TEST_F(PlanesTest, AFolderIsNoPlane) {
 }
 
 TEST_F(PlanesTest, AnImageThatCannotBeWrittenWholeLeavesTheOldOne) {
-  const Planes old = noise({4, 4}, 5);
+  const Planes old = test::random_planes({4, 4}, 5);
   write_planes(folder / "image", old);
   const auto blue = folder.read("image.B");
   fs::remove(folder / "image.B");
   fs::create_directory(folder / "image.B");
-  EXPECT_THROW(write_planes(folder / "image", noise({4, 4}, 6)), FileError);
+  EXPECT_THROW(write_planes(folder / "image", test::random_planes({4, 4}, 6)), FileError);
   fs::remove(folder / "image.B");
   folder.write("image.B", blue);
   EXPECT_EQ(read_planes(folder / "image", {4, 4}), old);

@@ -10,10 +10,10 @@
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "tests/random_planes.h"
 #include "tracer/error.h"
 
 namespace sir::viewer {
@@ -93,14 +93,6 @@ class PngFile : public testing::Test {
   fs::path folder_;
 };
 
-Planes noise(ImageSize size, unsigned seed) {
-  std::mt19937 random(seed);
-  Planes planes(size);
-  for (auto& plane : planes.channel)
-    for (auto& byte : plane) byte = static_cast<std::uint8_t>(random());
-  return planes;
-}
-
 bool contains(const Bytes& bytes, const std::string& tag) {
   return std::search(bytes.begin(), bytes.end(), tag.begin(), tag.end()) != bytes.end();
 }
@@ -112,14 +104,14 @@ bool contains(const Bytes& bytes, const std::string& tag) {
 
 TEST_F(PngFile, RgbComesBackExactly) {
   for (const ImageSize size : {ImageSize{1, 1}, ImageSize{640, 480}, ImageSize{7, 300}}) {
-    const Planes planes = noise(size, 5);
+    const Planes planes = test::random_planes(size, 5);
     write_rgb_png(file(), planes);
     EXPECT_EQ(read_png(file()), planes);
   }
 }
 
 TEST_F(PngFile, WritingTwiceGivesTheSameBytesAndNoTimeOrGamma) {
-  const Planes planes = noise({64, 48}, 6);
+  const Planes planes = test::random_planes({64, 48}, 6);
   write_rgb_png(file("a.png"), planes);
   write_rgb_png(file("b.png"), planes);
   EXPECT_EQ(content(file("a.png")), content(file("b.png")));
@@ -178,7 +170,7 @@ TEST_F(PngFile, IndexedReadsAsTheColoursSeen) {
 }
 
 TEST_F(PngFile, WritingWhereNothingCanBeFails) {
-  EXPECT_THROW(write_rgb_png(folder_ / "no" / "x.png", noise({4, 4}, 1)), FileError);
+  EXPECT_THROW(write_rgb_png(folder_ / "no" / "x.png", test::random_planes({4, 4}, 1)), FileError);
   EXPECT_THROW(write_rgb_png(file(), Planes(ImageSize{0, 0})), FileError);
   EXPECT_FALSE(fs::exists(file()));
   EXPECT_TRUE(fs::is_empty(folder_));  // no temporary file either
@@ -188,7 +180,7 @@ TEST_F(PngFile, WritingWhereNothingCanBeFails) {
 TEST_F(PngFile, AFullDiskIsReported) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   try {
-    write_rgb_png("/dev/full", noise({300, 300}, 1));
+    write_rgb_png("/dev/full", test::random_planes({300, 300}, 1));
     FAIL() << "a full disk took the file";
   } catch (const FileError& error) {
     EXPECT_NE(std::string(error.what()).find("No space left"), std::string::npos) << error.what();
@@ -242,7 +234,7 @@ TEST_F(PngFile, TagsOfGammaAndColourSpaceChangeNothing) {
 }
 
 TEST_F(PngFile, ReadsInterlacedFiles) {
-  const Planes planes = noise({37, 23}, 9);
+  const Planes planes = test::random_planes({37, 23}, 9);
   Bytes rows;
   for (std::size_t i = 0; i < planes.size.pixels(); ++i)
     for (const auto& plane : planes.channel) rows.push_back(plane[i]);
@@ -298,7 +290,7 @@ TEST_F(PngFile, MissingEmptyAndForeignFilesAreRefused) {
 }
 
 TEST_F(PngFile, AFileCutOffAnywhereIsRefused) {
-  write_rgb_png(file(), noise({40, 30}, 3));
+  write_rgb_png(file(), test::random_planes({40, 30}, 3));
   const Bytes whole = content(file());
   for (int length = 8; length < std::ssize(whole); length += length < 100 ? 1 : 97)
     EXPECT_NE(refusal(store(Bytes(whole.begin(), std::next(whole.begin(), length)))), "") << length;
