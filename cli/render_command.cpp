@@ -35,6 +35,7 @@ std::string stats_json(const RenderCommand& command, const Scene& scene,
         {"refracted", rays.refracted},
         {"shadow", rays.shadow}}},
       {"spans", rays.spans},
+      {"exact_intersections", rays.exact},
       {"effects", effects},
       {"ms", {{"prepare", result.prepare_seconds * 1e3}, {"trace", result.trace_seconds * 1e3}}}};
   return json.dump() + "\n";

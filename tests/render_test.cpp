@@ -65,6 +65,22 @@ TEST(Render, MovingTheSceneMovesNoPixels) {
   EXPECT_LE(static_cast<double>(far_off), 0.0005 * static_cast<double>(pixels));
 }
 
+TEST(Render, FloatSeesASceneFarAwayAsNearTheOrigin) {
+  // Moved by numbers that double holds and float does not.
+  RenderOptions options = small();
+  options.precision = Precision::float_;
+  const Scene scene = test::random_scene(7, 8, false);
+  const Planes here = render(scene, options).planes;
+  for (const double away : {1e4 + 1, 1e6 + 1, 1e8 + 1}) {
+    const Scene moved = test::moved(scene, 1, {away, -away, 2 * away});
+    const Planes there = render(moved, options).planes;
+    int differ = 0;
+    for (std::size_t p = 0; p < here.size.pixels(); ++p)
+      differ += difference(here.at(p), there.at(p)) > 2;
+    EXPECT_LE(differ, 3) << away;  // silhouettes
+  }
+}
+
 TEST(Render, MirroredSceneGivesTheMirroredImage) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     Scene scene = test::random_scene(seed, 8, false);

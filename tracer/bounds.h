@@ -29,19 +29,15 @@ struct Bounds {
 template <typename T>
 Bounds<T> bounds_of(PrimitiveKind kind, const LocalCena<T>& placement);
 
-/// A ray prepared for many box tests. `margin` is how far the computed
-/// intersection with a solid may lie from the true line: the distance that the
-/// origin's rounding is worth in SC_CENA.
+/// A ray prepared for many box tests.
 template <typename T>
 class BoxProbe {
  public:
-  BoxProbe(const RayCena<T>& ray, T margin) {
+  explicit BoxProbe(const RayCena<T>& ray) : origin_(ray.origin.v) {
     for (int axis = 0; axis < 3; ++axis) {
       const T d = ray.direction.v[axis];
       reciprocal_[axis] = T(1) / d;
       parallel_[axis] = !std::isfinite(reciprocal_[axis]);
-      low_origin_[axis] = ray.origin.v[axis] + margin;
-      high_origin_[axis] = ray.origin.v[axis] - margin;
     }
   }
 
@@ -50,8 +46,8 @@ class BoxProbe {
   bool meets(const Bounds<T>& box, T farthest) const {
     T enter = 0, leave = farthest;
     for (int axis = 0; axis < 3; ++axis) {
-      const T to_low = box.low[axis] - low_origin_[axis];
-      const T to_high = box.high[axis] - high_origin_[axis];
+      const T to_low = box.low[axis] - origin_[axis];
+      const T to_high = box.high[axis] - origin_[axis];
       if (parallel_[axis]) {
         if (to_low > 0 || to_high < 0) return false;
         continue;
@@ -65,7 +61,7 @@ class BoxProbe {
   }
 
  private:
-  glm::vec<3, T> reciprocal_, low_origin_, high_origin_;
+  glm::vec<3, T> origin_, reciprocal_;
   bool parallel_[3];
 };
 

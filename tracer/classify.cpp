@@ -2,9 +2,18 @@
 
 #include <algorithm>
 
+#include "tracer/intersect_exact.h"
 #include "tracer/surface_point.h"
 
 namespace sir {
+namespace {
+
+template <typename T>
+T largest(const glm::vec<3, T>& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+}  // namespace
 
 template <typename T>
 Classifier<T>::Classifier(const Solid<T>& solid, Engine engine)
@@ -25,53 +34,130 @@ void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T far
   spans_.clear();
   events_.clear();
   next_event_ = 0;
+  ray_ = ray;
+  start_ = start;
   secondary_ = start.leaf != RayStart<T>::kNowhere;
+  start_t_ = secondary_ ? largest(ray.origin.v) / largest(ray.direction.v) : T(0);
 
   if (engine_ == Engine::roth) {
-    for (std::uint32_t leaf = 0; leaf < solid_.leaves.size(); ++leaf) gather(leaf, ray, start);
+    for (std::uint32_t leaf = 0; leaf < solid_.leaves.size(); ++leaf) gather(leaf);
   } else {
-    const BoxProbe<T> probe(ray, solid_.box_margin(ray.origin));
-    solid_.hierarchy.for_each_met(probe, farthest,
-                                  [&](std::uint32_t leaf) { gather(leaf, ray, start); });
+    solid_.hierarchy.for_each_met(BoxProbe<T>(ray), farthest,
+                                  [&](std::uint32_t leaf) { gather(leaf); });
   }
-  for (std::uint32_t i = 0; i < spans_.size(); ++i) {
-    events_.push_back({spans_[i].span.enter, i, true});
-    events_.push_back({spans_[i].span.leave, i, false});
-  }
-  std::sort(events_.begin(), events_.end(),
-            [](const Event& a, const Event& b) { return a.t < b.t; });
+  settle();
   if (engine_ == Engine::roth) combine_all();
 }
 
 template <typename T>
-void Classifier<T>::gather(std::uint32_t index, const RayCena<T>& ray, const RayStart<T>& start) {
+void Classifier<T>::gather(std::uint32_t index) {
   const Leaf<T>& leaf = solid_.leaves[index];
-  if (index == start.leaf && !start.inward) return;  // convex: never met again
+  if (index == start_.leaf && !start_.inward) return;  // convex: never met again
   Span<T> span;
-  const bool crosses =
-      leaf.unit > 0
-          ? intersect(leaf.kind, leaf.placement.unapply_times_divisor(ray), leaf.unit, span)
-          : intersect(leaf.kind, leaf.placement.unapply(ray), T(1), span);
-  if (!crosses) return;
-  if (index == start.leaf) span.enter = T(0);
-  else if (secondary_) snap_to_start(leaf, leaf.placement.unapply(ray.origin), start.error, span);
-  if (span.leave < 0 || !(span.enter < span.leave)) return;
-  spans_.push_back({span, index, false});
+  const Crossing crossing = intersect(leaf.kind, leaf.to_local(ray_), span);
+  if (crossing == Crossing::misses) return;
+  const bool exact = crossing == Crossing::unsure;
+  if (exact && !cross_exactly(index, span)) return;
+  join_start(index, span);
+  // Behind the start without a doubt.
+  if (span.leave < -span.leave_error || !(span.enter < span.leave)) return;
+  spans_.push_back({span, index, false, exact});
 }
 
-// Faces that coincide with the one the ray stands on are at t = 0 too. In t
-// that cannot be told, because a flat angle blows the distance up; in the
-// primitive's own frame it can.
 template <typename T>
-void Classifier<T>::snap_to_start(const Leaf<T>& leaf, PointLocal<T> start, T error,
-                                  Span<T>& span) const {
-  const T tolerance = leaf.stretch * error;
+bool Classifier<T>::cross_exactly(std::uint32_t index, Span<T>& span) {
+  ++exact_intersections_;
+  return intersect_exactly(solid_.leaves[index].kind, solid_.placements[index], ray_,
+                           start_t_ * Numeric<T>::kEpsilon / 8, span);
+}
+
+// The face that the ray stands on is at t = 0, and so are faces that coincide
+// with it. In t that cannot be told, because a flat angle blows the distance up;
+// in the primitive's own frame it can.
+template <typename T>
+void Classifier<T>::join_start(std::uint32_t index, Span<T>& span) const {
+  if (!secondary_) return;
+  if (index == start_.leaf) {
+    span.enter = span.enter_error = T(0);
+    return;
+  }
+  const Leaf<T>& leaf = solid_.leaves[index];
+  const PointLocal<T> start = leaf.placement.unapply(ray_.origin);
+  const T tolerance = leaf.stretch * start_.error;
   const bool enters_here = on_face(leaf.kind, span.enter_face, start, tolerance);
   const bool leaves_here = on_face(leaf.kind, span.leave_face, start, tolerance);
   const bool same_surface = span.enter_face == span.leave_face;
   const bool enter_is_nearer = std::abs(span.enter) <= std::abs(span.leave);
-  if (enters_here && (!same_surface || enter_is_nearer)) span.enter = T(0);
-  if (leaves_here && (!same_surface || !enter_is_nearer)) span.leave = T(0);
+  if (enters_here && (!same_surface || enter_is_nearer)) span.enter = span.enter_error = T(0);
+  if (leaves_here && (!same_surface || !enter_is_nearer)) span.leave = span.leave_error = T(0);
+}
+
+// Sorts the events, with more digits wherever the order, or what is one event,
+// could depend on rounding. A primitive is sharpened once at most.
+template <typename T>
+void Classifier<T>::settle() {
+  list_events();
+  for (bool settled = false; !settled;) {
+    settled = true;
+    const auto sharpen_one = [&](const Event& event) {
+      Crossed& crossed = spans_[event.crossed];
+      if (crossed.exact) return;
+      sharpen(crossed);
+      settled = false;
+    };
+    for (std::size_t i = 0; i < events_.size(); ++i) {
+      if (doubtful(events_[i])) sharpen_one(events_[i]);
+      if (i == 0 || !doubtful(events_[i - 1], events_[i])) continue;
+      sharpen_one(events_[i - 1]);
+      sharpen_one(events_[i]);
+    }
+    if (!settled) list_events();
+  }
+}
+
+template <typename T>
+void Classifier<T>::list_events() {
+  events_.clear();
+  for (std::uint32_t i = 0; i < spans_.size(); ++i) {
+    const Span<T>& span = spans_[i].span;
+    if (span.leave < -span.leave_error || !(span.enter < span.leave)) continue;
+    events_.push_back({span.enter, span.enter_error, i, true});
+    events_.push_back({span.leave, span.leave_error, i, false});
+  }
+  // Equal ones in the order of the leaves, so that neighbours do not depend on
+  // the order in which spans were found.
+  std::sort(events_.begin(), events_.end(), [this](const Event& a, const Event& b) {
+    if (a.t != b.t) return a.t < b.t;
+    const auto leaf_a = spans_[a.crossed].leaf, leaf_b = spans_[b.crossed].leaf;
+    return leaf_a != leaf_b ? leaf_a < leaf_b : a.enters && !b.enters;
+  });
+}
+
+// Whether an event may be behind the start or not, or is not known well enough:
+// that is, to so many roundings of t, or on a secondary ray, whose start is
+// rounded itself, of the coordinates of the point.
+template <typename T>
+bool Classifier<T>::doubtful(const Event& event) const {
+  if (!(event.error > 0) || event.t < -event.error) return false;
+  return event.error > Numeric<T>::kTrustedRoundings * Numeric<T>::kEpsilon * (event.t + start_t_);
+}
+
+// Whether neighbours may be one event or two.
+template <typename T>
+bool Classifier<T>::doubtful(const Event& a, const Event& b) const {
+  const T error = a.error + b.error;
+  if (!(error > 0)) return false;
+  const T gap = b.t - a.t, size = std::max(std::abs(a.t), std::abs(b.t));
+  constexpr T kReach = Numeric<T>::kCoincidentUlps * Numeric<T>::kEpsilon;
+  if (gap - error > kReach * (size + error)) return false;  // ulp(t) <= epsilon |t|
+  return !(gap + error <= Numeric<T>::kCoincidentUlps * Numeric<T>::ulp(size - error));
+}
+
+template <typename T>
+void Classifier<T>::sharpen(Crossed& crossed) {
+  crossed.exact = true;
+  // What was certain stays so: it crosses.
+  if (cross_exactly(crossed.leaf, crossed.span)) join_start(crossed.leaf, crossed.span);
 }
 
 // Switches a primitive and passes the change up while gates switch; true when
@@ -99,7 +185,7 @@ Boundary<T> Classifier<T>::boundary_of(const Event& event, bool entering) const 
   const Crossed& crossed = spans_[event.crossed];
   const auto face = event.enters ? crossed.span.enter_face : crossed.span.leave_face;
   // A zero may have come out negative.
-  return {event.t + T(0), crossed.leaf, face, entering, event.enters};
+  return {event.t + T(0), event.error, crossed.leaf, face, entering, event.enters};
 }
 
 template <typename T>

@@ -14,6 +14,7 @@ namespace sir {
 template <typename T>
 struct Boundary {
   T t = 0;                     ///< in units of the ray's direction
+  T error = 0;                 ///< the true t lies within this of it
   std::uint32_t leaf = 0;      ///< index into Solid::leaves of the primitive that names it
   std::uint8_t face = 0;       ///< of that primitive
   bool entering = false;       ///< side: IN, from outside the solid to its inside
@@ -39,7 +40,11 @@ enum class Engine : std::uint8_t {
 /// Finds boundaries along one ray at a time. Holds scratch space: one for each
 /// thread.
 ///
-/// Boundaries of primitives closer than 32 ulp of t (chained) are one event.
+/// Boundaries of primitives closer than 32 ulp of t (chained) are one event. What
+/// is one event, which comes first and which lie behind the start is decided on
+/// bounds of the errors; where these leave a doubt, or t could be off by more
+/// than Numeric::kTrustedRoundings, intersect_exactly() says. So the list is the
+/// one of exact arithmetic on the file's numbers, whatever the scene.
 /// At each event the composition is asked once before and once after; where
 /// that differs there is a boundary, so that no span of zero length can arise.
 /// It is named by the primitive's surface that turns the same way as the
@@ -60,20 +65,30 @@ class Classifier {
   /// Spans found by begin(): intersections with primitives.
   std::size_t spans() const { return spans_.size(); }
 
+  /// How many primitives had to be intersected exactly, since the beginning.
+  std::uint64_t exact_intersections() const { return exact_intersections_; }
+
  private:
   struct Crossed {
     Span<T> span;
     std::uint32_t leaf;
     bool inside;
+    bool exact;
   };
   struct Event {
-    T t;
+    T t, error;
     std::uint32_t crossed;  // index into spans_
     bool enters;
   };
 
-  void gather(std::uint32_t leaf, const RayCena<T>& ray, const RayStart<T>& start);
-  void snap_to_start(const Leaf<T>& leaf, PointLocal<T> start, T error, Span<T>& span) const;
+  void gather(std::uint32_t leaf);
+  bool cross_exactly(std::uint32_t leaf, Span<T>& span);
+  void join_start(std::uint32_t leaf, Span<T>& span) const;
+  void settle();
+  void list_events();
+  bool doubtful(const Event& event) const;
+  bool doubtful(const Event& a, const Event& b) const;
+  void sharpen(Crossed& crossed);
   bool toggle(Crossed& crossed);
   bool reportable(T t) const { return secondary_ ? t > 0 : t >= 0; }
   Boundary<T> boundary_of(const Event& event, bool entering) const;
@@ -84,8 +99,12 @@ class Classifier {
 
   const Solid<T>& solid_;
   Engine engine_;
+  RayCena<T> ray_;
+  RayStart<T> start_;
+  T start_t_ = 0;  // secondary rays: the t that is worth the origin's coordinates
   std::vector<Crossed> spans_;
   std::vector<Event> events_;
+  std::uint64_t exact_intersections_ = 0;
   std::size_t next_event_ = 0;
   bool secondary_ = false;
   bool inside_ = false;                 // the solid, at the sweep's place

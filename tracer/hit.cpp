@@ -33,7 +33,8 @@ Hit<T> hit_at(const Model<T>& model, const RayCena<T>& ray, const Boundary<T>& b
   if (dot(hit.normal, hit.eye) < 0) hit.normal = -hit.normal;
   hit.reflectance = &reflectance_at(model, boundary, hit.point);
   hit.error = Numeric<T>::kStartRoundings * Numeric<T>::kEpsilon *
-              (largest(ray.origin.v) + boundary.t * largest(ray.direction.v));
+                  (largest(ray.origin.v) + boundary.t * largest(ray.direction.v)) +
+              boundary.error * largest(ray.direction.v);
   return hit;
 }
 

@@ -1,4 +1,5 @@
-// INTERSECTA (thesis 2.3.4, 3.3): a ray in SC_LOCAL against a primitive.
+// INTERSECTA (thesis 2.3.4, 3.3): a ray in SC_LOCAL against a primitive, fast,
+// and knowing what it does not know.
 #pragma once
 
 #include <cstdint>
@@ -29,38 +30,52 @@ constexpr int face_count(PrimitiveKind kind) {
 template <typename T>
 struct Span {
   T enter, leave;
+  T enter_error = 0, leave_error = 0;  ///< the true ends lie within this of the given ones
   std::uint8_t enter_face, leave_face;
 };
 
-/// Intersects the whole line, t from minus to plus infinity. False: the line is
-/// OUT, which includes touching in a point or an edge and lying in a face.
-/// Where the line meets two faces at once (an edge), the lower face is named.
+/// What can be said of a line and a primitive. `misses` is OUT, which includes
+/// touching in a point or an edge and lying in a face. `unsure`: rounding could
+/// decide, as near a tangent or an edge; intersect_exactly() knows.
+enum class Crossing : std::uint8_t { misses, crosses, unsure };
+
+/// A ray in SC_LOCAL with bounds of the errors that its way there has left in
+/// it: each true coordinate lies within these of the given one.
+template <typename T>
+struct LocalRay {
+  Point<ScLocal, T> origin;
+  Vector<ScLocal, T> direction;
+  T unit = 1;  ///< the length of SC_LOCAL's unit in these coordinates, > 0
+  glm::vec<3, T> origin_error{0}, direction_error{0};
+  T unit_error = 0;
+};
+
+/// Intersects the whole line, t from minus to plus infinity. Where the line
+/// meets two faces within 32 ulp of t (an edge), the lower face is named.
 ///
-/// `unit` > 0 is the length of SC_LOCAL's unit in the ray's coordinates: 1, or
-/// the divisor that Transform::unapply_times_divisor left undone.
-///
-/// Discriminants are taken as sums of minors such as x dz - z dx, never as
-/// b^2-4ac (compare Haines et al., Ray Tracing Gems ch. 7), the second root as
-/// c/q (Kahan): distant and nearly parallel rays keep their digits, and what
-/// touches exactly, in numbers short enough, is found to touch.
+/// What it answers is certain: errors are bounded from the ray's onwards. The
+/// discriminants are taken as sums of minors such as x dz - z dx, never as
+/// b^2-4ac (compare Haines et al., Ray Tracing Gems ch. 7), and the second root
+/// as c/q (Kahan), so that few rays are left unsure: distant and nearly
+/// parallel ones keep their digits.
 template <typename T>
-bool intersect_cube(const RayLocal<T>& ray, T unit, Span<T>& span);
+Crossing intersect_cube(const LocalRay<T>& ray, Span<T>& span);
 template <typename T>
-bool intersect_sphere(const RayLocal<T>& ray, T unit, Span<T>& span);
+Crossing intersect_sphere(const LocalRay<T>& ray, Span<T>& span);
 template <typename T>
-bool intersect_cone(const RayLocal<T>& ray, T unit, Span<T>& span);
+Crossing intersect_cone(const LocalRay<T>& ray, Span<T>& span);
 template <typename T>
-bool intersect_cylinder(const RayLocal<T>& ray, T unit, Span<T>& span);
+Crossing intersect_cylinder(const LocalRay<T>& ray, Span<T>& span);
 
 template <typename T>
-inline bool intersect(PrimitiveKind kind, const RayLocal<T>& ray, T unit, Span<T>& span) {
+inline Crossing intersect(PrimitiveKind kind, const LocalRay<T>& ray, Span<T>& span) {
   switch (kind) {
-    case PrimitiveKind::cube: return intersect_cube(ray, unit, span);
-    case PrimitiveKind::sphere: return intersect_sphere(ray, unit, span);
-    case PrimitiveKind::cone: return intersect_cone(ray, unit, span);
-    case PrimitiveKind::cylinder: return intersect_cylinder(ray, unit, span);
+    case PrimitiveKind::cube: return intersect_cube(ray, span);
+    case PrimitiveKind::sphere: return intersect_sphere(ray, span);
+    case PrimitiveKind::cone: return intersect_cone(ray, span);
+    case PrimitiveKind::cylinder: return intersect_cylinder(ray, span);
   }
-  return false;
+  return Crossing::unsure;
 }
 
 }  // namespace sir

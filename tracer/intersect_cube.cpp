@@ -3,15 +3,20 @@
 namespace sir {
 
 template <typename T>
-bool intersect_cube(const RayLocal<T>& ray, T unit, Span<T>& span) {
-  const auto& o = ray.origin.v;
-  const auto& d = ray.direction.v;
+Crossing intersect_cube(const LocalRay<T>& ray, Span<T>& span) {
   Interval<T> inside;
-  return inside.slab(o.x, d.x, T(0), unit, 0, 1) && inside.slab(o.y, d.y, T(0), unit, 2, 3) &&
-         inside.slab(o.z, d.z, T(0), unit, 4, 5) && inside.to_span(span);
+  Crossing answer = Crossing::crosses;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto face = static_cast<std::uint8_t>(2 * axis);
+    const Crossing slab = inside.slab(ray, axis, face, face + 1);
+    if (slab == Crossing::misses) return slab;
+    if (slab == Crossing::unsure) answer = slab;
+  }
+  if (answer == Crossing::unsure) return answer;
+  return inside.to_span(span);
 }
 
-template bool intersect_cube(const RayLocal<float>&, float, Span<float>&);
-template bool intersect_cube(const RayLocal<double>&, double, Span<double>&);
+template Crossing intersect_cube(const LocalRay<float>&, Span<float>&);
+template Crossing intersect_cube(const LocalRay<double>&, Span<double>&);
 
 }  // namespace sir

@@ -1,34 +1,56 @@
-#include <glm/vec2.hpp>
-
 #include "tracer/interval.h"
 
 namespace sir {
 
 template <typename T>
-bool intersect_cylinder(const RayLocal<T>& ray, T unit, Span<T>& span) {
+Crossing intersect_cylinder(const LocalRay<T>& ray, Span<T>& span) {
   constexpr std::uint8_t kBottom = 0, kTop = 1, kSide = 2;
-  Interval<T> inside;
-  if (!inside.slab(ray.origin.v.y, ray.direction.v.y, T(0), unit, kBottom, kTop)) return false;
+  constexpr T u = kUnitRoundoff<T>;
+  const T x = ray.origin.v.x, z = ray.origin.v.z, dx = ray.direction.v.x, dz = ray.direction.v.z;
+  const T o_sum = std::abs(x) + std::abs(z), d_sum = std::abs(dx) + std::abs(dz);
+  const T o_error = ray.origin_error.x + ray.origin_error.z;
+  const T d_error = ray.direction_error.x + ray.direction_error.z;
+  const T square = x * x + z * z, unit_square = ray.unit * ray.unit;
 
-  const glm::vec<2, T> o(ray.origin.v.x, ray.origin.v.z);
-  const glm::vec<2, T> d(ray.direction.v.x, ray.direction.v.z);
-  const T a = glm::dot(d, d);
-  const T c = glm::dot(o, o) - unit * unit;
-  if (a < std::numeric_limits<T>::min()) {
-    // Parallel to the axis, or so nearly that the square underflows: within
-    // the caps the ray then moves sideways by less than one rounding.
-    return c < 0 && inside.to_span(span);
+  Interval<T> inside;
+  const Crossing slab = inside.slab(ray, 1, kBottom, kTop);
+  if (slab == Crossing::misses) return slab;
+
+  Quadratic<T> side;
+  side.c = square - unit_square;
+  side.c_error = T(2.1) * (o_sum * o_error + ray.unit * ray.unit_error) + o_error * o_error +
+                 5 * u * (square + unit_square);
+  if (d_sum == 0 && d_error == 0) {  // parallel to the axis without a doubt
+    const Crossing side_crossing = Interval<T>::inside_slab(-side.c, side.c_error);
+    if (side_crossing != Crossing::crosses) return side_crossing;
+    return slab == Crossing::crosses ? inside.to_span(span) : slab;
   }
-  const T moment = o.x * d.y - o.y * d.x;
-  const T discriminant = a * (unit * unit) - moment * moment;
-  if (!(discriminant > 0)) return false;
-  const Roots<T> roots(a, glm::dot(o, d), c, std::sqrt(discriminant));
-  inside.enter_at(roots.low, kSide);
-  inside.leave_at(roots.high, kSide);
+  if (!moderate(o_sum, o_error, d_sum, d_error)) return Crossing::unsure;
+
+  // As the sphere's, in the plane of the caps.
+  side.a = dx * dx + dz * dz;
+  const T moment = x * dz - z * dx;
+  side.discriminant = side.a * unit_square - moment * moment;
+  const T reach = ray.unit * d_sum;
+  const T m = T(1.05) * (o_sum * d_error + d_sum * o_error) + 3 * u * o_sum * d_sum;
+  side.discriminant_error = m * (4 * reach + 16 * m) +
+                            T(2.1) * reach * (ray.unit * d_error + d_sum * ray.unit_error) +
+                            30 * u * reach * reach;
+  if (!(side.discriminant > side.discriminant_error))
+    return side.discriminant < -side.discriminant_error ? Crossing::misses : Crossing::unsure;
+  if (slab == Crossing::unsure) return slab;
+
+  side.b = x * dx + z * dz;
+  side.a_error = T(2.1) * d_sum * d_error + 4 * u * side.a;
+  side.b_error = m;
+  Located<T> enter, leave;
+  if (!side.roots(enter, leave)) return Crossing::unsure;
+  inside.enter_at(enter, kSide);
+  inside.leave_at(leave, kSide);
   return inside.to_span(span);
 }
 
-template bool intersect_cylinder(const RayLocal<float>&, float, Span<float>&);
-template bool intersect_cylinder(const RayLocal<double>&, double, Span<double>&);
+template Crossing intersect_cylinder(const LocalRay<float>&, Span<float>&);
+template Crossing intersect_cylinder(const LocalRay<double>&, Span<double>&);
 
 }  // namespace sir

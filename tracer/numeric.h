@@ -26,9 +26,12 @@ struct Numeric {
   /// in units of the coordinates that went into it.
   static constexpr T kStartRoundings = 8;
 
-  /// Roundings between the computed intersection with a solid and the computed
-  /// intersection with its box: boxes are widened by as much, so that they
-  /// never hide a hit that the solid's own test finds.
+  /// Boundaries are worked out with more digits where they may be off by more
+  /// than this many roundings.
+  static constexpr T kTrustedRoundings = 1024;
+
+  /// Boxes are widened by as many roundings of the numbers that went into them,
+  /// so that they never hide a hit.
   static constexpr T kBoxRoundings = 64;
 
   /// Distance from |t| to the next larger number.
@@ -55,19 +58,19 @@ glm::dvec3 scaled_near_one(const glm::dvec3& v);
 bool is_singular(const glm::dmat3& m);
 
 /// The inverse of a 3x3 matrix, row by row as numerators over a divisor. Of the
-/// many ways to write it, one whose products stay exact as long as can be: for
-/// entries that are small integers (times a power of two) the cofactors over
-/// the determinant, else numerators scaled so that the largest is 1, which for
-/// a scaling along the axes leaves just a division.
+/// many ways to write it, one whose products stay exact as long as can be:
+/// cofactors over the determinant, but where these do not fit into doubles an
+/// axis of its own, as in a scaling, is just divided by its length.
 struct Inverse {
-  glm::dmat3 numerators{1.0};  ///< numerators[column][row]
-  glm::dvec3 divisors{1.0};    ///< of each row, in [1,2)
+  glm::dmat3 numerators{1.0};          ///< numerators[column][row]
+  glm::dvec3 divisors{1.0};            ///< of each row, in [1,2)
+  bool exact[3] = {true, true, true};  ///< of each row: no number in it is rounded
   double entry(int row, int column) const { return numerators[column][row] / divisors[row]; }
 };
 
-/// The inverse to full double precision, by elimination with complete pivoting
-/// in quadruple precision: cofactors in double fail from a condition number of
-/// 1e12 on. False where the matrix is singular or its inverse does not fit.
+/// The inverse, each number off by less than a unit in its last place whatever
+/// the condition: cofactors and determinant are summed without rounding. False
+/// where the matrix is singular or its inverse does not fit.
 bool invert(const glm::dmat3& m, Inverse& inverse);
 
 }  // namespace sir

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tracer/numeric.h"
+#include "tracer/recentre.h"
 
 namespace sir {
 namespace {
@@ -10,8 +11,10 @@ namespace {
 template <typename T>
 class ProberIn : public Prober {
  public:
-  ProberIn(const Scene& scene, Engine engine)
-      : solid_(build_solid<T>(scene)), classifier_(solid_, engine) {
+  ProberIn(const Scene& scene, const glm::dvec3& offset, Engine engine)
+      : offset_(offset),
+        solid_(build_solid<T>(recentred(scene, offset))),
+        classifier_(solid_, engine) {
     for (const Surface& surface : scene.surfaces) surface_numbers_.push_back(surface.number);
   }
 
@@ -23,7 +26,8 @@ class ProberIn : public Prober {
         std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
     const int exponent = -std::ilogb(largest);
     hits_.clear();
-    classifier_.begin({{glm::vec<3, T>(origin)}, {glm::vec<3, T>(scaled_near_one(direction))}});
+    classifier_.begin(
+        {{glm::vec<3, T>(origin - offset_)}, {glm::vec<3, T>(scaled_near_one(direction))}});
     Boundary<T> boundary;
     while (classifier_.next(boundary)) {
       const Leaf<T>& leaf = solid_.leaves[boundary.leaf];
@@ -34,6 +38,7 @@ class ProberIn : public Prober {
   }
 
  private:
+  glm::dvec3 offset_;
   Solid<T> solid_;
   Classifier<T> classifier_;
   std::vector<std::int64_t> surface_numbers_;
@@ -43,8 +48,10 @@ class ProberIn : public Prober {
 }  // namespace
 
 std::unique_ptr<Prober> make_prober(const Scene& scene, Precision precision, Engine engine) {
-  if (precision == Precision::float_) return std::make_unique<ProberIn<float>>(scene, engine);
-  return std::make_unique<ProberIn<double>>(scene, engine);
+  const glm::dvec3 offset = offset_for(scene, precision);
+  if (precision == Precision::float_)
+    return std::make_unique<ProberIn<float>>(scene, offset, engine);
+  return std::make_unique<ProberIn<double>>(scene, offset, engine);
 }
 
 }  // namespace sir

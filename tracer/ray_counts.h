@@ -9,6 +9,7 @@ namespace sir {
 struct RayCounts {
   std::uint64_t primary = 0, reflected = 0, refracted = 0, shadow = 0;
   std::uint64_t spans = 0;  ///< primitives that those rays went through
+  std::uint64_t exact = 0;  ///< intersections that needed more digits than T has
 
   RayCounts& operator+=(const RayCounts& other) {
     primary += other.primary;
@@ -16,6 +17,7 @@ struct RayCounts {
     refracted += other.refracted;
     shadow += other.shadow;
     spans += other.spans;
+    exact += other.exact;
     return *this;
   }
 };

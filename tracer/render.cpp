@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "tracer/recentre.h"
 #include "tracer/trace.h"
 
 namespace sir {
@@ -136,14 +137,21 @@ PixelTrace trace_pixel_in(const Scene& scene, const RenderOptions& options, int 
 
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::function<void(double)>& progress, std::stop_token stop) {
-  return options.precision == Precision::float_
-             ? render_in<float>(scene, options, progress, std::move(stop))
-             : render_in<double>(scene, options, progress, std::move(stop));
+  if (options.precision == Precision::double_)
+    return render_in<double>(scene, options, progress, std::move(stop));
+  const glm::dvec3 offset = offset_for(scene, options.precision);
+  return render_in<float>(recentred(scene, offset), options, progress, std::move(stop));
 }
 
 PixelTrace trace_pixel(const Scene& scene, const RenderOptions& options, int i, int j) {
-  return options.precision == Precision::float_ ? trace_pixel_in<float>(scene, options, i, j)
-                                                : trace_pixel_in<double>(scene, options, i, j);
+  if (options.precision == Precision::double_) return trace_pixel_in<double>(scene, options, i, j);
+  const glm::dvec3 offset = offset_for(scene, options.precision);
+  PixelTrace result = trace_pixel_in<float>(recentred(scene, offset), options, i, j);
+  for (TraceNode& node : result.log) {
+    node.origin += offset;
+    if (node.hit) node.point += offset;
+  }
+  return result;
 }
 
 }  // namespace sir

@@ -5,25 +5,38 @@
 namespace sir {
 namespace {
 
-// Largest entry of |LOCAL_CENA| |CENA_LOCAL|: by so much a rounding made in
-// SC_LOCAL grows on its way back to SC_CENA. Near 1 for turned and scaled
-// solids, as large as the condition number for sheared ones.
-double amplification(const glm::dmat3& linear, const Inverse& inverse) {
-  double worst = 1;
+// Counts the roundings between a ray's coordinates and those in SC_LOCAL.
+template <typename T>
+void weigh_roundings(const Inverse& inverse, Leaf<T>& leaf) {
+  constexpr T kRoundoff = Numeric<T>::kEpsilon / 2;
   for (int row = 0; row < 3; ++row) {
-    double sum = 0;
-    for (int column = 0; column < 3; ++column)
-      for (int k = 0; k < 3; ++k)
-        sum += std::abs(linear[k][row]) * std::abs(inverse.entry(k, column));
-    worst = std::max(worst, sum);
+    const T divisor = leaf.placement.divisors[row];
+    const bool exact_divisor = inverse.exact[row] && double(divisor) == inverse.divisors[row];
+    bool exact = inverse.exact[row], trivial = true;
+    int terms = 0;
+    for (int column = 0; column < 3; ++column) {
+      const T entry = leaf.placement.numerators[column][row];
+      exact = exact && double(entry) == inverse.numerators[column][row];
+      if (entry == 0) continue;
+      ++terms;
+      trivial = trivial && std::abs(entry) == std::exp2(static_cast<T>(std::ilogb(entry)));
+    }
+    // The entries themselves, the products, their sum.
+    int roundings = (exact ? 0 : 1) + (trivial ? 0 : 1) + terms - 1;
+    if (leaf.unit > 0) {
+      if (!exact_divisor) leaf.unit_error = kRoundoff * leaf.unit;
+    } else if (divisor != 1) {
+      roundings += exact_divisor ? 1 : 2;
+    }
+    const T scale = kRoundoff / (leaf.unit > 0 ? T(1) : divisor);
+    leaf.direction_weight[row] = T(roundings) * scale * T(1.01);
+    leaf.origin_weight[row] = T(roundings + 1) * scale * T(1.01);  // and p - translation
   }
-  return worst;
 }
 
 template <typename T>
 Leaf<T> make_leaf(const CsgNode& node,
-                  const std::unordered_map<std::int64_t, std::uint32_t>& surface_index,
-                  T& roundings) {
+                  const std::unordered_map<std::int64_t, std::uint32_t>& surface_index) {
   Leaf<T> leaf;
   Inverse inverse;
   invert(node.placement.linear, inverse);  // the reader has refused singular ones
@@ -32,8 +45,11 @@ Leaf<T> make_leaf(const CsgNode& node,
   leaf.placement.divisors = glm::vec<3, T>(inverse.divisors);
   if (inverse.divisors.x == inverse.divisors.y && inverse.divisors.x == inverse.divisors.z)
     leaf.unit = leaf.placement.divisors.x;
-  roundings = std::max(roundings, static_cast<T>(amplification(node.placement.linear, inverse)));
+  weigh_roundings(inverse, leaf);
   leaf.placement.translation = glm::vec<3, T>(node.placement.translation);
+  leaf.translation_slack =
+      glm::vec<3, T>(glm::abs(node.placement.translation - glm::dvec3(leaf.placement.translation)) /
+                     double(Numeric<T>::kEpsilon / 2));
   leaf.stretch = 0;
   for (int row = 0; row < 3; ++row) {
     double sum = 0;
@@ -92,7 +108,7 @@ Solid<T> build_solid(const Scene& scene) {
     solid.polish.push_back(
         {!node.composite, node.operation, static_cast<std::uint32_t>(solid.leaves.size())});
     if (!node.composite) {
-      Leaf<T> leaf = make_leaf<T>(node, surface_index, solid.roundings);
+      Leaf<T> leaf = make_leaf<T>(node, surface_index);
       leaf.gate = item.gate;
       leaf.complemented = item.complemented;
       if (item.gate >= 0) {
@@ -101,6 +117,7 @@ Solid<T> build_solid(const Scene& scene) {
         if (item.complemented) ++solid.gates[gate].at_rest;
       }
       solid.leaves.push_back(leaf);
+      solid.placements.push_back(node.placement);
       continue;
     }
     const Rewritten made = rewrite(node.operation, item.complemented);

@@ -18,7 +18,13 @@ namespace sir {
 template <typename T>
 struct Leaf {
   LocalCena<T> placement;
-  T unit = 0;                               ///< the common divisor of `placement`; 0: it has none
+  T unit = 0;        ///< the common divisor of `placement`; 0: it has none
+  T unit_error = 0;  ///< how far the true one may lie from it
+  /// Relative errors that the way to SC_LOCAL leaves in each coordinate of an
+  /// origin and of a direction, by the roundings that its row needs.
+  glm::vec<3, T> origin_weight{0}, direction_weight{0};
+  glm::vec<3, T> translation_slack{0};      ///< what rounding to T took from the translation,
+                                            ///< in units of roundoff
   T stretch = 1;                            ///< largest row sum of |CENA_LOCAL|: how far a step
                                             ///< of 1 in SC_CENA may reach in SC_LOCAL
   std::array<std::uint32_t, 6> surfaces{};  ///< index into Scene::surfaces, by face
@@ -26,7 +32,27 @@ struct Leaf {
   std::int32_t gate = -1;                   ///< the gate that it feeds; -1: it is the whole solid
   PrimitiveKind kind = PrimitiveKind::cube;
   bool complemented = false;  ///< feeds "outside" instead of "inside"
+
+  /// The ray in SC_LOCAL, with bounds of the errors.
+  LocalRay<T> to_local(const RayCena<T>& ray) const;
 };
+
+template <typename T>
+inline LocalRay<T> Leaf<T>::to_local(const RayCena<T>& ray) const {
+  const RayLocal<T> times_divisor = placement.unapply_times_divisor(ray);
+  LocalRay<T> local{times_divisor.origin, times_divisor.direction, unit, {}, {}, unit_error};
+  if (!(unit > 0)) {
+    local.unit = 1;
+    local.origin.v /= placement.divisors;
+    local.direction.v /= placement.divisors;
+  }
+  glm::mat<3, 3, T> sizes = placement.numerators;
+  for (int column = 0; column < 3; ++column) sizes[column] = glm::abs(sizes[column]);
+  const auto way = glm::abs(ray.origin.v - placement.translation) + translation_slack;
+  local.origin_error = origin_weight * (sizes * way);
+  local.direction_error = direction_weight * (sizes * glm::abs(ray.direction.v));
+  return local;
+}
 
 /// One node of the flattened composition: inside when at least `needed` of its
 /// inputs are. A chain of unions is a single gate that needs one input; a chain
@@ -52,14 +78,8 @@ struct Solid {
   std::vector<Leaf<T>> leaves;
   std::vector<Gate> gates;
   std::vector<PolishStep> polish;
-  Hierarchy<T> hierarchy;  ///< over the leaves' envelopes
-  T roundings = 1;         ///< worst amplification |LOCAL_CENA| |CENA_LOCAL| of a rounding
-
-  /// Distance in SC_CENA by which boxes must be widened for a ray from here.
-  T box_margin(PointCena<T> origin) const {
-    const T size = std::max({std::abs(origin.v.x), std::abs(origin.v.y), std::abs(origin.v.z)});
-    return Numeric<T>::kBoxRoundings * Numeric<T>::kEpsilon * roundings * size;
-  }
+  std::vector<Placement> placements;  ///< of each leaf, as in the file
+  Hierarchy<T> hierarchy;             ///< over the leaves' envelopes
 };
 
 /// Builds the solid of a scene that has been read (surfaces known, matrices

@@ -19,7 +19,11 @@ class Tracer {
   /// What a primary ray sees. `log`, if given, receives the whole tree.
   Colour<T> radiance(const RayCena<T>& primary, TraceLog* log = nullptr);
 
-  const RayCounts& counts() const { return counts_; }
+  RayCounts counts() const {
+    RayCounts counts = counts_;
+    counts.exact = classifier_.exact_intersections();
+    return counts;
+  }
 
  private:
   enum class Stage : std::uint8_t { mirror, through, done };

@@ -1,0 +1,101 @@
+// What the fast intersection is certain of holds in exact arithmetic, and its
+// errors are within its bounds: over placements and rays of every kind.
+#include "tracer/intersect_exact.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/scene_builder.h"
+#include "tracer/solid.h"
+
+namespace sir {
+namespace {
+
+constexpr PrimitiveKind kKinds[] = {PrimitiveKind::cube, PrimitiveKind::sphere, PrimitiveKind::cone,
+                                    PrimitiveKind::cylinder};
+
+struct Tally {
+  int crossing = 0, missing = 0, unsure = 0;
+};
+
+double power_of_ten(std::mt19937_64& random, int most) {
+  std::uniform_real_distribution<double> any(-1, 1);
+  return std::pow(10.0, most * any(random));
+}
+
+// A placement that may be stretched by up to 10^6 each way, sheared and moved.
+Placement any_placement(std::mt19937_64& random) {
+  Placement placement = test::random_placement(random, 1, true);
+  const auto choice = random() % 4;
+  for (int c = 0; c < 3; ++c)
+    if (choice == 1) placement.linear[c] *= power_of_ten(random, 6);
+  if (choice == 2) placement.linear[1] += 1e5 * placement.linear[0];
+  if (choice == 3) placement = test::placed(glm::dvec3(1 + double(random() % 8)), glm::dvec3(2));
+  if (random() % 4 == 0) placement.translation *= power_of_ten(random, 8);
+  return placement;
+}
+
+template <typename T>
+void compare(PrimitiveKind kind, std::uint64_t seed, Tally& tally) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> any(-1, 1);
+  test::SceneBuilder build;
+  const Scene scene = build.finish(build.primitive(kind, any_placement(random)));
+  const Placement& placement = scene.tree.nodes[0].placement;
+  const Solid<T> solid = build_solid<T>(scene);
+  for (int n = 0; n < 40; ++n) {
+    // Towards a place in or near the solid, from near or far; at times on an edge.
+    glm::dvec3 aim(any(random), any(random), any(random));
+    if (n % 4 == 0) aim = glm::round(aim);
+    if (n % 8 == 1) aim = glm::normalize(aim) * (1 + 1e-9 * any(random));
+    const glm::dvec3 target = placement.linear * aim + placement.translation;
+    const glm::dvec3 way = placement.linear * glm::dvec3(any(random), any(random), any(random)) *
+                           power_of_ten(random, n % 3 ? 1 : 6);
+    const RayCena<T> ray{{glm::vec<3, T>(target - way)},
+                         {glm::vec<3, T>(scaled_near_one(n % 5 ? way : glm::round(way)))}};
+    if (ray.direction.v == glm::vec<3, T>(0)) continue;
+    Span<T> fast, exact;
+    const Crossing crossing = intersect(kind, solid.leaves[0].to_local(ray), fast);
+    const bool crosses = intersect_exactly(kind, placement, ray, T(0), exact);
+    if (crossing == Crossing::unsure) {
+      ++tally.unsure;
+      continue;
+    }
+    ++(crosses ? tally.crossing : tally.missing);
+    ASSERT_EQ(crossing == Crossing::crosses, crosses) << "seed " << seed << " ray " << n;
+    if (!crosses) continue;
+    // The exact ends are rounded themselves.
+    const T u = Numeric<T>::kEpsilon;
+    ASSERT_LE(std::abs(fast.enter - exact.enter), fast.enter_error + u * std::abs(exact.enter))
+        << "seed " << seed << " ray " << n;
+    ASSERT_LE(std::abs(fast.leave - exact.leave), fast.leave_error + u * std::abs(exact.leave))
+        << "seed " << seed << " ray " << n;
+    ASSERT_EQ(fast.enter_face, exact.enter_face) << "seed " << seed << " ray " << n;
+    ASSERT_EQ(fast.leave_face, exact.leave_face) << "seed " << seed << " ray " << n;
+  }
+}
+
+class FastAndExact : public testing::TestWithParam<PrimitiveKind> {};
+INSTANTIATE_TEST_SUITE_P(All, FastAndExact, testing::ValuesIn(kKinds));
+
+TEST_P(FastAndExact, DoubleIsWithinItsBounds) {
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 2500; ++seed) {
+    ASSERT_NO_FATAL_FAILURE(compare<double>(GetParam(), seed, tally));
+  }
+  EXPECT_GT(tally.crossing, 10000);
+  EXPECT_GT(tally.missing, 10000);
+  EXPECT_GT(tally.unsure, 100);
+}
+
+TEST_P(FastAndExact, FloatIsWithinItsBounds) {
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 2500; ++seed) {
+    ASSERT_NO_FATAL_FAILURE(compare<float>(GetParam(), seed, tally));
+  }
+  EXPECT_GT(tally.crossing, 10000);
+  EXPECT_GT(tally.missing, 10000);
+  EXPECT_GT(tally.unsure, 100);
+}
+
+}  // namespace
+}  // namespace sir

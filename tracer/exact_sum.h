@@ -1,0 +1,52 @@
+// Sums of products of doubles without rounding (Shewchuk, Adaptive Precision
+// Floating-Point Arithmetic, 1997): for determinants, once a primitive (BASICO's
+// initialisation, thesis 3.3).
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "tracer/double_double.h"
+
+namespace sir {
+
+/// Collects up to kParts/4 products of three numbers exactly, as a sum of
+/// doubles that do not overlap. Neither overflow nor underflow may occur.
+class ExactSum {
+ public:
+  void add(double term) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const DoubleDouble sum = two_sum(term, part_[i]);
+      if (sum.lo != 0) part_[kept++] = sum.lo;
+      term = sum.hi;
+    }
+    if (term != 0) part_[kept++] = term;
+    size_ = kept;
+  }
+  void add_product(double a, double b, double c = 1) {
+    const DoubleDouble ab = two_product(a, b);
+    for (const double factor : {ab.hi, ab.lo}) {
+      const DoubleDouble abc = two_product(factor, c);
+      add(abc.lo);
+      add(abc.hi);
+    }
+  }
+
+  bool is_zero() const { return size_ == 0; }
+  /// Whether value() is the sum itself.
+  bool is_a_double() const { return size_ <= 1; }
+  /// The sum, off by less than a unit in the last place.
+  double value() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < size_; ++i) sum += part_[i];
+    return sum;
+  }
+
+ private:
+  static constexpr std::size_t kParts = 32;
+  std::array<double, kParts> part_{};
+  std::size_t size_ = 0;
+};
+
+}  // namespace sir

@@ -1,0 +1,269 @@
+#include "tracer/intersect_exact.h"
+
+#include <array>
+#include <utility>
+
+#include "tracer/bounded.h"
+#include "tracer/numeric.h"
+
+namespace sir {
+namespace {
+
+template <typename S>
+using Number = Bounded<S>;
+template <typename S>
+using Triple = std::array<Number<S>, 3>;
+
+// The problem in numbers near 1. Matrix and way from the solid's origin are
+// scaled by one power of two, the direction by another.
+struct Scaled {
+  std::array<std::array<double, 3>, 3> column;  // of the matrix
+  std::array<DoubleDouble, 3> way;              // exactly
+  std::array<double, 3> direction;
+  int t_exponent;  // t = 2^t_exponent times the scaled problem's
+};
+
+int exponent_of_largest(const glm::dvec3& v) {
+  return std::ilogb(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+}
+
+Scaled scaled(const Placement& placement, const glm::dvec3& origin, const glm::dvec3& direction) {
+  Scaled result{};
+  double largest = 0;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(placement.linear[c][r]));
+  const int size = std::ilogb(largest), speed = exponent_of_largest(direction);
+  for (int r = 0; r < 3; ++r) {
+    const auto at = static_cast<std::size_t>(r);
+    for (int c = 0; c < 3; ++c)
+      result.column[static_cast<std::size_t>(c)][at] = std::ldexp(placement.linear[c][r], -size);
+    const DoubleDouble way = two_sum(origin[r], -placement.translation[r]);
+    result.way[at] = {std::ldexp(way.hi, -size), std::ldexp(way.lo, -size)};
+    result.direction[at] = std::ldexp(direction[r], -speed);
+  }
+  result.t_exponent = size - speed;
+  return result;
+}
+
+Number<DoubleDouble> exactly(const DoubleDouble& x, DoubleDouble) { return {x, 0}; }
+Number<Wide> exactly(const DoubleDouble& x, Wide) { return {Wide(x.hi) + Wide(x.lo), 0}; }
+
+template <typename S>
+Number<S> dot(const Triple<S>& a, const Triple<S>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// A boundary that the line crosses.
+template <typename S>
+struct End {
+  Number<S> t;
+  std::uint8_t face = 0;
+};
+
+template <typename S>
+class ExactIntersection {
+ public:
+  ExactIntersection(PrimitiveKind kind, const Scaled& problem) : kind_(kind) {
+    std::array<Triple<S>, 3> column;
+    Triple<S> way, direction;
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c) column[c][r] = Number<S>::exactly(problem.column[c][r]);
+      way[r] = exactly(problem.way[r], S{});
+      direction[r] = Number<S>::exactly(problem.direction[r]);
+    }
+    std::array<Triple<S>, 3> row;  // of the adjugate
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Triple<S>& a = column[(i + 1) % 3];
+      const Triple<S>& b = column[(i + 2) % 3];
+      for (std::size_t k = 0; k < 3; ++k)
+        row[i][k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    }
+    unit_ = dot(column[0], row[0]);
+    const bool mirrored = decide_.sign(unit_) < 0;
+    if (mirrored) unit_ = -unit_;
+    for (std::size_t i = 0; i < 3; ++i) {
+      o_[i] = dot(row[i], way);
+      d_[i] = dot(row[i], direction);
+      if (mirrored) {
+        o_[i] = -o_[i];
+        d_[i] = -d_[i];
+      }
+    }
+  }
+
+  bool certain() const { return decide_.certain(); }
+
+  template <typename T>
+  bool run(int t_exponent, T resolution, Span<T>& span) {
+    resolution_ = std::ldexp(double(resolution), -t_exponent);
+    if (!candidates() || !certain()) return false;
+    const std::size_t enter = latest(enters_, enter_count_, 1);
+    const std::size_t leave = latest(leaves_, leave_count_, -1);
+    if (decide_.sign(leaves_[leave].t - enters_[enter].t) <= 0) return false;
+    span = {};
+    span.enter = rounded<T>(enters_[enter].t, t_exponent);
+    span.leave = rounded<T>(leaves_[leave].t, t_exponent);
+    span.enter_face = lowest<T>(enters_, enter_count_, t_exponent, span.enter);
+    span.leave_face = lowest<T>(leaves_, leave_count_, t_exponent, span.leave);
+    return certain();
+  }
+
+ private:
+  bool candidates() {
+    switch (kind_) {
+      case PrimitiveKind::cube: return slab(0, 0, 1) && slab(1, 2, 3) && slab(2, 4, 5);
+      case PrimitiveKind::sphere: return sphere();
+      case PrimitiveKind::cone: return cone();
+      case PrimitiveKind::cylinder: return cylinder();
+    }
+    return false;
+  }
+
+  void enter_at(const Number<S>& t, std::uint8_t face) { enters_[enter_count_++] = {t, face}; }
+  void leave_at(const Number<S>& t, std::uint8_t face) { leaves_[leave_count_++] = {t, face}; }
+
+  // 0 < coordinate < unit.
+  bool slab(std::size_t axis, std::uint8_t low_face, std::uint8_t high_face) {
+    const int way = decide_.sign(d_[axis]);
+    if (way == 0) return decide_.sign(o_[axis]) > 0 && decide_.sign(unit_ - o_[axis]) > 0;
+    const Number<S> at_low = -o_[axis] / d_[axis], at_high = (unit_ - o_[axis]) / d_[axis];
+    enter_at(way > 0 ? at_low : at_high, way > 0 ? low_face : high_face);
+    leave_at(way > 0 ? at_high : at_low, way > 0 ? high_face : low_face);
+    return true;
+  }
+
+  // Both roots of a t^2 + 2bt + c, a not 0, given root = sqrt(b^2-ac), lower first.
+  std::pair<Number<S>, Number<S>> roots(const Number<S>& a, const Number<S>& b, const Number<S>& c,
+                                        const Number<S>& root) {
+    // The sum that does not cancel; where b is all but 0 either will do.
+    const Number<S> q = to_double(b.value) > 0 ? -(b + root) : root - b;
+    const Number<S> one = q / a, other = c / q;
+    return to_double(one.value) < to_double(other.value) ? std::pair{one, other}
+                                                         : std::pair{other, one};
+  }
+
+  bool between_roots(const Number<S>& a, const Number<S>& b, const Number<S>& c,
+                     const Number<S>& discriminant, std::uint8_t face) {
+    if (decide_.sign(discriminant) <= 0) return false;
+    const auto [low, high] = roots(a, b, c, square_root(discriminant));
+    enter_at(low, face);
+    leave_at(high, face);
+    return true;
+  }
+
+  bool sphere() {
+    const Number<S> a = dot(d_, d_), b = dot(o_, d_), square = unit_ * unit_;
+    Triple<S> moment;
+    for (std::size_t k = 0; k < 3; ++k)
+      moment[k] = o_[(k + 1) % 3] * d_[(k + 2) % 3] - o_[(k + 2) % 3] * d_[(k + 1) % 3];
+    return between_roots(a, b, dot(o_, o_) - square, a * square - dot(moment, moment), 0);
+  }
+
+  bool cylinder() {
+    constexpr std::uint8_t kBottom = 0, kTop = 1, kSide = 2;
+    if (!slab(1, kBottom, kTop)) return false;
+    const Number<S> square = unit_ * unit_;
+    const Number<S> a = d_[0] * d_[0] + d_[2] * d_[2], b = o_[0] * d_[0] + o_[2] * d_[2];
+    const Number<S> c = o_[0] * o_[0] + o_[2] * o_[2] - square;
+    if (decide_.sign(d_[0]) == 0 && decide_.sign(d_[2]) == 0) return decide_.sign(c) < 0;
+    const Number<S> moment = o_[0] * d_[2] - o_[2] * d_[0];
+    return between_roots(a, b, c, a * square - moment * moment, kSide);
+  }
+
+  bool cone() {
+    constexpr std::uint8_t kSide = 0, kBase = 1;
+    const Number<S>&x = o_[0], &y = o_[1], &z = o_[2];
+    const Number<S>&dx = d_[0], &dw = d_[1], &dz = d_[2];
+    const Number<S> w = y - unit_;  // puts the apex in the origin
+    const int rising = decide_.sign(dw);
+    if (rising == 0) {
+      if (!(decide_.sign(y) > 0 && decide_.sign(w) < 0)) return false;
+    } else if (rising > 0) {
+      enter_at(-y / dw, kBase);
+    } else {
+      leave_at(-y / dw, kBase);
+    }
+    const Number<S> a = dx * dx + dz * dz - dw * dw, b = x * dx + z * dz - w * dw;
+    const Number<S> c = x * x + z * z - w * w;
+    const Number<S> xw = x * dw - w * dx, zw = z * dw - w * dz, xz = x * dz - z * dx;
+    const Number<S> discriminant = xw * xw + zw * zw - xz * xz;
+    const int flatter = decide_.sign(a);
+    if (flatter > 0) {
+      // One nappe, between the roots: the lower where w < 0 half-way.
+      return between_roots(a, b, c, discriminant, kSide) && decide_.sign(dx * xw + dz * zw) > 0;
+    }
+    if (flatter < 0) {
+      // Both nappes, outside between the roots; through the apex these are one.
+      const bool apart = decide_.sign(discriminant) > 0;
+      Number<S> reached = -b / a;
+      if (apart) {
+        const auto [low, high] = roots(a, b, c, square_root(discriminant));
+        reached = rising < 0 ? high : low;
+      }
+      if (rising < 0) enter_at(reached, kSide);
+      else leave_at(reached, kSide);
+      return true;
+    }
+    // Parallel to a generator: 2bt + c < 0 on one half-line, which belongs to
+    // the lower nappe where b and dw have one sign. b = 0 is tangent.
+    if (decide_.sign(b) * rising <= 0) return false;
+    const Number<S> root = -c / (b + b);
+    if (rising < 0) enter_at(root, kSide);
+    else leave_at(root, kSide);
+    return true;
+  }
+
+  std::size_t latest(const std::array<End<S>, 4>& ends, std::size_t count, int direction) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < count; ++i)
+      if (direction * sign_of(ends[i].t.value - ends[best].t.value) > 0) best = i;
+    return best;
+  }
+
+  template <typename T>
+  T rounded(const Number<S>& t, int exponent) {
+    // Digits enough to round from, and no doubt about an exact 0.
+    if (t.error > std::max(0x1p-56 * t.size(), resolution_) && decide_.sign(t) != 0)
+      decide_.doubt();
+    return static_cast<T>(std::ldexp(to_double(t.value), exponent));
+  }
+
+  template <typename T>
+  std::uint8_t lowest(const std::array<End<S>, 4>& ends, std::size_t count, int exponent, T at) {
+    std::uint8_t face = 255;
+    for (std::size_t i = 0; i < count; ++i) {
+      const T t = static_cast<T>(std::ldexp(to_double(ends[i].t.value), exponent));
+      if (Numeric<T>::same_event(std::min(t, at), std::max(t, at)))
+        face = std::min(face, ends[i].face);
+    }
+    return face;
+  }
+
+  PrimitiveKind kind_;
+  Decisions<S> decide_;
+  Number<S> unit_;
+  Triple<S> o_, d_;  // SC_LOCAL in units of 1/unit_
+  std::array<End<S>, 4> enters_, leaves_;
+  std::size_t enter_count_ = 0, leave_count_ = 0;
+  double resolution_ = 0;
+};
+
+}  // namespace
+
+template <typename T>
+bool intersect_exactly(PrimitiveKind kind, const Placement& placement, const RayCena<T>& ray,
+                       T resolution, Span<T>& span) {
+  const Scaled problem = scaled(placement, glm::dvec3(ray.origin.v), glm::dvec3(ray.direction.v));
+  ExactIntersection<DoubleDouble> usual(kind, problem);
+  const bool crosses = usual.run(problem.t_exponent, resolution, span);
+  if (usual.certain()) return crosses;
+  ExactIntersection<Wide> last(kind, problem);
+  return last.run(problem.t_exponent, resolution, span);
+}
+
+template bool intersect_exactly(PrimitiveKind, const Placement&, const RayCena<float>&, float,
+                                Span<float>&);
+template bool intersect_exactly(PrimitiveKind, const Placement&, const RayCena<double>&, double,
+                                Span<double>&);
+
+}  // namespace sir

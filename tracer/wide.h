@@ -1,0 +1,39 @@
+// Numbers wide enough that sums and products of a scene's numbers are exact:
+// the last word of INTERSECTA (thesis 2.3.4), where twice the digits of double
+// do not decide either, as on an exact tangent.
+#pragma once
+
+#include <gmpxx.h>
+
+namespace sir {
+
+/// A floating-point number of kBits bits (GMP). A discriminant is a sum of
+/// products of twelve of the file's doubles: it is exact as long as these lie
+/// within 2^280 of one another. Quotients and roots are good to kBits bits;
+/// roots of squares are exact.
+class Wide {
+ public:
+  static constexpr unsigned kBits = 4096;
+
+  Wide(double value = 0) : v_(value, kBits) {}  // NOLINT(google-explicit-constructor)
+
+  friend Wide operator+(const Wide& a, const Wide& b) { return Wide(mpf_class(a.v_ + b.v_)); }
+  friend Wide operator-(const Wide& a, const Wide& b) { return Wide(mpf_class(a.v_ - b.v_)); }
+  friend Wide operator*(const Wide& a, const Wide& b) { return Wide(mpf_class(a.v_ * b.v_)); }
+  friend Wide operator/(const Wide& a, const Wide& b) { return Wide(mpf_class(a.v_ / b.v_)); }
+  friend Wide operator-(const Wide& a) { return Wide(mpf_class(-a.v_)); }
+  friend Wide square_root(const Wide& a) { return Wide(mpf_class(sqrt(a.v_))); }
+
+  /// The nearest double (GMP's own conversion cuts off).
+  friend double to_double(const Wide& a) {
+    const double cut = a.v_.get_d();
+    return cut + mpf_class(a.v_ - cut).get_d();
+  }
+  friend int sign_of(const Wide& a) { return sgn(a.v_); }
+
+ private:
+  explicit Wide(const mpf_class& value) : v_(value) {}
+  mpf_class v_;
+};
+
+}  // namespace sir
