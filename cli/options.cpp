@@ -142,6 +142,10 @@ void add_render(CLI::App& app, Action& action) {
   sub->add_flag_callback(
       "--no-png", [command] { command->png = false; }, "write the planes only");
   sub->add_flag("--stats", command->stats, "print counts and times as JSON");
+  sub->add_option("--hesitation", command->hesitation,
+                  "also write the image with the pixels marked whose hits depend on float against "
+                  "double (red) or on the rounding of t (blue; both: yellow), and print the nodes")
+      ->type_name("OUT.png");
   sub->callback([&action, command] {
     const Region& r = command->options.region;
     const ImageSize size = command->options.size;

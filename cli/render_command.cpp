@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/hesitation_report.h"
 #include "cli/interrupt.h"
 #include "cli/output_path.h"
 #include "cli/progress.h"
 #include "tracer/atomic_file.h"
+#include "tracer/error.h"
 #include "tracer/scene_file.h"
 #include "tracer/scene_path.h"
 #include "viewer/png_file.h"
@@ -14,15 +16,15 @@
 namespace sir::cli {
 namespace {
 
-std::string stats_json(const RenderCommand& command, const Scene& scene,
-                       const RenderResult& result) {
+nlohmann::ordered_json stats_json(const RenderCommand& command, const Scene& scene,
+                                  const RenderResult& result) {
   nlohmann::ordered_json effects = nlohmann::ordered_json::object();
   EffectSet ran = result.effects;
   for (const std::string& name : EffectSet::names()) effects[name] = *ran.find(name);
   std::size_t primitives = 0;
   for (const CsgNode& node : scene.tree.nodes) primitives += !node.composite;
   const RayCounts& rays = result.counts;
-  const nlohmann::ordered_json json{
+  return {
       {"width", result.planes.size.width},
       {"height", result.planes.size.height},
       {"precision", command.options.precision == Precision::float_ ? "float" : "double"},
@@ -38,14 +40,23 @@ std::string stats_json(const RenderCommand& command, const Scene& scene,
       {"exact_intersections", rays.exact},
       {"effects", effects},
       {"ms", {{"prepare", result.prepare_seconds * 1e3}, {"trace", result.trace_seconds * 1e3}}}};
-  return json.dump() + "\n";
 }
 
 // Links may lead from an output to one of the four files.
 void refuse_inputs(const std::filesystem::path& base, const RenderCommand& command) {
   for (const char* output : {"R", "G", "B", "png"})
-    for (const char* input : {"CSG", "CAM", "LUZ", "SUP"})
-      refuse_same_file(with_suffix(base, output), find_by_suffix(command.base, input));
+    for (const char* input : {"CSG", "CAM", "LUZ", "SUP"}) {
+      const auto file = find_by_suffix(command.base, input);
+      refuse_same_file(with_suffix(base, output), file);
+      if (command.hesitation) refuse_same_file(*command.hesitation, file);
+    }
+}
+
+void refuse_outputs(const std::filesystem::path& path, const std::filesystem::path& base) {
+  for (const char* output : {"R", "G", "B", "png"})
+    if (path.lexically_normal() == with_suffix(base, output).lexically_normal())
+      throw FileError(path.string(), 0,
+                      "is a file of the image itself; the marked image needs another name");
 }
 
 }  // namespace
@@ -54,10 +65,18 @@ int run_render(const RenderCommand& command, const Session& session) {
   const Scene scene = read_scene(command.base);
   const auto base = output_base(command.base, command.out);
   refuse_inputs(base, command);
+  if (command.hesitation) refuse_outputs(*command.hesitation, base);
   Progress progress(session, command.base.filename().string());
   const RenderResult result = render(scene, command.options, progress.callback(), interruption());
   progress.finish();
   if (!result.complete) return kInterrupted;
+  HesitationMap hesitation;
+  if (command.hesitation) {
+    Progress comparing(session, command.base.filename().string() + ", hesitation");
+    hesitation = find_hesitation(scene, command.options, comparing.callback(), interruption());
+    comparing.finish();
+    if (!hesitation.complete) return kInterrupted;
+  }
 
   write_planes(base, result.planes);
   std::string written = fmt::format("{0}.R {0}.G {0}.B", base.string());
@@ -66,13 +85,23 @@ int run_render(const RenderCommand& command, const Session& session) {
     viewer::write_rgb_png(png, result.planes);
     written += " " + png.string();
   }
+  if (command.hesitation) {
+    viewer::write_rgb_png(*command.hesitation, marked(result.planes, hesitation));
+    written += " " + command.hesitation->string();
+  }
   const auto& rays = result.counts;
   detail(session, fmt::format("{}: {}x{}, {} rays in {:.0f} ms", base.string(),
                               result.planes.size.width, result.planes.size.height,
                               rays.primary + rays.reflected + rays.refracted + rays.shadow,
                               result.trace_seconds * 1e3));
   note(session, "wrote " + written);
-  if (command.stats) print(stats_json(command, scene, result));
+  if (command.stats) {
+    auto json = stats_json(command, scene, result);
+    if (command.hesitation) json["hesitation"] = hesitation_json(scene, hesitation);
+    print(json.dump() + "\n");
+  } else if (command.hesitation) {
+    print(hesitation_table(scene, hesitation));
+  }
   return kDone;
 }
 

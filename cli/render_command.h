@@ -15,10 +15,12 @@ struct RenderCommand {
   RenderOptions options;
   bool png = true;
   bool stats = false;
+  std::optional<std::filesystem::path> hesitation;  ///< PNG of the hesitating pixels
 };
 
-/// Writes BASE.R, BASE.G, BASE.B and BASE.png; with `stats` a JSON object to
-/// standard output. Returns an exit code; throws FileError.
+/// Writes BASE.R, BASE.G, BASE.B and BASE.png; with `hesitation` its picture, and
+/// a table of nodes to standard output; with `stats` a JSON object instead, which
+/// then holds the table. Returns an exit code; throws FileError.
 int run_render(const RenderCommand& command, const Session& session);
 
 }  // namespace sir::cli

@@ -121,6 +121,23 @@ TEST_F(CliTest, ARegionIsThatPartOfTheImage) {
   EXPECT_EQ(viewer::read_png(folder / "part/s.png"), part);
 }
 
+TEST_F(CliTest, HesitationIsAPictureAndATableOfNodes) {
+  const Ended text = sir({"render", "s", "--size", "64x48", "--hesitation", "fragile.png", "-q"});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("pixel"), std::string::npos) << text.out;
+  const Planes marked = viewer::read_png(folder / "fragile.png");
+  EXPECT_EQ(marked.size, (ImageSize{64, 48}));
+
+  const Ended json =
+      sir({"render", "s", "--size", "64x48", "--hesitation", "fragile.png", "--stats"});
+  const auto stats = nlohmann::json::parse(json.out);
+  ASSERT_TRUE(stats.contains("hesitation"));
+  EXPECT_TRUE(stats["hesitation"]["nodes"].is_array());
+
+  expect_failure(sir({"render", "s", "--hesitation", "s.CSG"}), "input");
+  expect_failure(sir({"render", "s", "--hesitation", "s.png"}), "image itself");
+}
+
 TEST_F(CliTest, StatsAreJson) {
   const Ended ended = sir({"render", "s", "--size", "64x48", "--stats"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;

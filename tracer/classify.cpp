@@ -16,9 +16,10 @@ T largest(const glm::vec<3, T>& v) {
 }  // namespace
 
 template <typename T>
-Classifier<T>::Classifier(const Solid<T>& solid, Engine engine)
+Classifier<T>::Classifier(const Solid<T>& solid, Engine engine, Fusing fusing)
     : solid_(solid),
       engine_(engine),
+      fusing_(fusing),
       stamp_(solid.gates.size(), 0),
       switched_(solid.gates.size(), 0) {
   inputs_.reserve(solid.gates.size());
@@ -121,8 +122,9 @@ void Classifier<T>::list_events() {
   for (std::uint32_t i = 0; i < spans_.size(); ++i) {
     const Span<T>& span = spans_[i].span;
     if (span.leave < -span.leave_error || !(span.enter < span.leave)) continue;
-    events_.push_back({span.enter, span.enter_error, i, true});
-    events_.push_back({span.leave, span.leave_error, i, false});
+    const std::uint32_t leaf = spans_[i].leaf;
+    events_.push_back({nudged(span.enter, leaf, true), span.enter_error, i, true});
+    events_.push_back({nudged(span.leave, leaf, false), span.leave_error, i, false});
   }
   // Equal ones in the order of the leaves, so that neighbours do not depend on
   // the order in which spans were found.
@@ -131,6 +133,13 @@ void Classifier<T>::list_events() {
     const auto leaf_a = spans_[a.crossed].leaf, leaf_b = spans_[b.crossed].leaf;
     return leaf_a != leaf_b ? leaf_a < leaf_b : a.enters && !b.enters;
   });
+}
+
+template <typename T>
+T Classifier<T>::nudged(T t, std::uint32_t leaf, bool enters) const {
+  if (fusing_.nudge == 0) return t;
+  const auto ulps = static_cast<T>(fusing_.nudge) * static_cast<T>(1 + leaf % 31);
+  return t + (enters ? -ulps : ulps) * Numeric<T>::ulp(t);
 }
 
 // Whether an event may be behind the start or not, or is not known well enough:
@@ -197,8 +206,7 @@ bool Classifier<T>::next(Boundary<T>& boundary) {
   }
   while (next_event_ < events_.size()) {
     std::size_t end = next_event_ + 1;
-    while (end < events_.size() && Numeric<T>::same_event(events_[end - 1].t, events_[end].t))
-      ++end;
+    while (end < events_.size() && same_event(events_[end - 1], events_[end])) ++end;
     if (pass_cluster(end, boundary) && reportable(boundary.t)) return true;
   }
   return false;

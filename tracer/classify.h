@@ -37,6 +37,13 @@ enum class Engine : std::uint8_t {
   roth    ///< the thesis's: every primitive, then table 2.4 at every composite
 };
 
+/// How boundaries that are all but one are treated. Another than the usual way
+/// shows what hangs on it (see hesitation.h).
+struct Fusing {
+  bool within_ulps = true;  ///< those within 32 ulp of t are one event; else only equal ones
+  int nudge = 0;            ///< 1 or -1: first each primitive swells or shrinks by 1 to 31 ulp of t
+};
+
 /// Finds boundaries along one ray at a time. Holds scratch space: one for each
 /// thread.
 ///
@@ -52,7 +59,7 @@ enum class Engine : std::uint8_t {
 template <typename T>
 class Classifier {
  public:
-  explicit Classifier(const Solid<T>& solid, Engine engine = Engine::gates);
+  explicit Classifier(const Solid<T>& solid, Engine engine = Engine::gates, Fusing fusing = {});
 
   /// Starts on a ray. Boundaries beyond `farthest` may be missing. A free ray
   /// has its boundaries at t >= 0, a secondary one at t > 0.
@@ -96,9 +103,14 @@ class Classifier {
   bool changed_with_solid(const Event& event, T cluster_start) const;
   bool precedes(const Boundary<T>& a, const Boundary<T>& b) const;
   void combine_all();
+  bool same_event(const Event& a, const Event& b) const {
+    return fusing_.within_ulps ? Numeric<T>::same_event(a.t, b.t) : a.t == b.t;
+  }
+  T nudged(T t, std::uint32_t leaf, bool enters) const;
 
   const Solid<T>& solid_;
   Engine engine_;
+  Fusing fusing_;
   RayCena<T> ray_;
   RayStart<T> start_;
   T start_t_ = 0;  // secondary rays: the t that is worth the origin's coordinates

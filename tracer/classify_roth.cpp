@@ -31,7 +31,7 @@ void Classifier<T>::combine_all() {
   std::vector<List> of_leaf(solid_.leaves.size());
   std::size_t number = 0;
   for (std::size_t i = 0; i < events_.size(); ++i) {
-    if (i > 0 && !Numeric<T>::same_event(events_[i - 1].t, events_[i].t)) ++number;
+    if (i > 0 && !same_event(events_[i - 1], events_[i])) ++number;
     const Boundary<T> boundary = boundary_of(events_[i], events_[i].enters);
     List& list = of_leaf[boundary.leaf];
     if (!list.empty() && list.back().event == number) list.clear();  // zero length

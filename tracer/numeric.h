@@ -49,6 +49,12 @@ struct Numeric {
   }
 };
 
+/// |v| component by component, without the branches of glm::abs.
+template <typename T>
+glm::vec<3, T> magnitudes(const glm::vec<3, T>& v) {
+  return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
+
 /// `v` times a power of two that brings its largest component near 1 (zero stays
 /// zero), so that squares neither overflow nor underflow. Exact.
 glm::dvec3 scaled_near_one(const glm::dvec3& v);

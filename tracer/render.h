@@ -2,22 +2,14 @@
 // planes.
 #pragma once
 
-#include <functional>
-#include <stop_token>
-
-#include "tracer/planes.h"
 #include "tracer/ray_counts.h"
+#include "tracer/tiles.h"
 #include "tracer/trace_log.h"
 #include "tracer/trace_options.h"
 
 namespace sir {
 
 enum class Precision : std::uint8_t { float_, double_ };
-
-/// A rectangle of pixels, from the top left.
-struct Region {
-  int x = 0, y = 0, width = 0, height = 0;
-};
 
 struct RenderOptions {
   ImageSize size;
@@ -26,6 +18,10 @@ struct RenderOptions {
   Precision precision = Precision::double_;
   TraceOptions trace;
 };
+
+/// The region, or the whole image where it is empty. Throws
+/// std::invalid_argument for one that does not lie within the image.
+Region region_or_all(const Region& region, ImageSize size);
 
 struct RenderResult {
   Planes planes;  ///< of the region

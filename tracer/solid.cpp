@@ -47,9 +47,9 @@ Leaf<T> make_leaf(const CsgNode& node,
     leaf.unit = leaf.placement.divisors.x;
   weigh_roundings(inverse, leaf);
   leaf.placement.translation = glm::vec<3, T>(node.placement.translation);
-  leaf.translation_slack =
-      glm::vec<3, T>(glm::abs(node.placement.translation - glm::dvec3(leaf.placement.translation)) /
-                     double(Numeric<T>::kEpsilon / 2));
+  leaf.translation_slack = glm::vec<3, T>(
+      magnitudes(node.placement.translation - glm::dvec3(leaf.placement.translation)) /
+      double(Numeric<T>::kEpsilon / 2));
   leaf.stretch = 0;
   for (int row = 0; row < 3; ++row) {
     double sum = 0;

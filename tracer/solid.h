@@ -47,10 +47,10 @@ inline LocalRay<T> Leaf<T>::to_local(const RayCena<T>& ray) const {
     local.direction.v /= placement.divisors;
   }
   glm::mat<3, 3, T> sizes = placement.numerators;
-  for (int column = 0; column < 3; ++column) sizes[column] = glm::abs(sizes[column]);
-  const auto way = glm::abs(ray.origin.v - placement.translation) + translation_slack;
+  for (int column = 0; column < 3; ++column) sizes[column] = magnitudes(sizes[column]);
+  const auto way = magnitudes(ray.origin.v - placement.translation) + translation_slack;
   local.origin_error = origin_weight * (sizes * way);
-  local.direction_error = direction_weight * (sizes * glm::abs(ray.direction.v));
+  local.direction_error = direction_weight * (sizes * magnitudes(ray.direction.v));
   return local;
 }
 
