@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/export_command.h"
 #include "cli/hsv_command.h"
 #include "cli/lut_command.h"
 #include "cli/option_values.h"
@@ -283,6 +284,28 @@ void add_table(CLI::App& app, Action& action) {
   });
 }
 
+void add_export(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("export", "BASE's scene in the language of another program");
+  const auto command = std::make_shared<ExportCommand>();
+  sub->add_option("BASE", command->base, "BASE.CSG, BASE.CAM, BASE.LUZ, BASE.SUP")->required();
+  sub->add_option("--pov", command->pov,
+                  "write the scene for POV-Ray 3.7; its head says how to "
+                  "render it and what differs")
+      ->required()
+      ->type_name("FILE");
+  add_choice(sub, "--scale", command->options.scale,
+             {{"fit", PovScale::fit}, {"keep", PovScale::keep}},
+             "move and scale the scene to suit POV-Ray's tolerances, or keep its numbers (fit)");
+  sub->add_option("--depth", command->options.depth_limit, "depth limit of the tree of rays (5)")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("N");
+  add_size(sub, command->options.size, "image size, for the command line in the head (640x480)");
+  sub->callback([&action, command] {
+    command->base = given_base(command->base);
+    action = [command](const Session& session) { return run_export(*command, session); };
+  });
+}
+
 void add_hsv(CLI::App& app, Action& action) {
   auto* sub =
       app.add_subcommand("hsv", "Bytes `r g b` in, one a line; their place in the HSV grid out");
@@ -310,6 +333,7 @@ int run(int argc, char** argv) {
   add_probe(app, action);
   add_hsv(app, action);
   add_planes(app, action);
+  add_export(app, action);
   for (CLI::App* sub : app.get_subcommands([](CLI::App*) { return true; })) sub->fallthrough();
   try {
     app.parse(argc, argv);

@@ -46,7 +46,7 @@ TEST_F(CliTest, VersionAndHelpGoToStandardOutput) {
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
   for (const std::string command :
-       {"render", "probe", "hsv", "lut", "show", "table", "check", "trace", "planes"}) {
+       {"render", "probe", "hsv", "lut", "show", "table", "check", "trace", "planes", "export"}) {
     EXPECT_NE(help.out.find("\n  " + command + " "), std::string::npos) << command;
     const Ended own = sir({command, "--help"});
     EXPECT_EQ(own.exit_code, 0) << command;
@@ -128,9 +128,9 @@ TEST_F(CliTest, HesitationIsAPictureAndATableOfNodes) {
   const Planes marked = viewer::read_png(folder / "fragile.png");
   EXPECT_EQ(marked.size, (ImageSize{64, 48}));
 
-  const Ended json =
+  const Ended counted =
       sir({"render", "s", "--size", "64x48", "--hesitation", "fragile.png", "--stats"});
-  const auto stats = nlohmann::json::parse(json.out);
+  const auto stats = nlohmann::json::parse(counted.out);
   ASSERT_TRUE(stats.contains("hesitation"));
   EXPECT_TRUE(stats["hesitation"]["nodes"].is_array());
 

@@ -37,10 +37,14 @@ void forget(const char* name) {
     if (const char* same = name; slot.compare_exchange_strong(same, nullptr)) return;
 }
 
-// What a chain of symbolic links leads to, be it there or not.
+// What a chain of symbolic links leads to, be it there or not. Links to pipes and
+// devices stay: those of /dev/stdout's kind need not lead to a name.
 std::filesystem::path followed(std::filesystem::path path) {
   constexpr int kMostLinks = 40;  // as in the kernel
   std::error_code failure;
+  if (const auto status = std::filesystem::status(path, failure);
+      std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    return path;
   for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, failure); ++i) {
     auto target = std::filesystem::read_symlink(path, failure);
     if (failure) break;

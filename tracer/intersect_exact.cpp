@@ -14,25 +14,29 @@ using Number = Bounded<S>;
 template <typename S>
 using Triple = std::array<Number<S>, 3>;
 
-// The problem in numbers near 1. Matrix and way from the solid's origin are
-// scaled by one power of two, the direction by another.
+// The problem in numbers near 1, where these fit: matrix and way from the solid's
+// origin are scaled by one power of two, the direction by another.
 struct Scaled {
   std::array<std::array<double, 3>, 3> column;  // of the matrix
   std::array<DoubleDouble, 3> way;              // exactly
   std::array<double, 3> direction;
   int t_exponent;  // t = 2^t_exponent times the scaled problem's
+
+  bool finite() const {
+    bool all = true;
+    for (std::size_t i = 0; i < 3; ++i)
+      all = all && std::isfinite(way[i].hi) && std::isfinite(direction[i]);
+    return all;
+  }
 };
 
 int exponent_of_largest(const glm::dvec3& v) {
   return std::ilogb(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
 }
 
-Scaled scaled(const Placement& placement, const glm::dvec3& origin, const glm::dvec3& direction) {
+Scaled scaled(const Placement& placement, const glm::dvec3& origin, const glm::dvec3& direction,
+              int size, int speed) {
   Scaled result{};
-  double largest = 0;
-  for (int c = 0; c < 3; ++c)
-    for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(placement.linear[c][r]));
-  const int size = std::ilogb(largest), speed = exponent_of_largest(direction);
   for (int r = 0; r < 3; ++r) {
     const auto at = static_cast<std::size_t>(r);
     for (int c = 0; c < 3; ++c)
@@ -253,12 +257,20 @@ class ExactIntersection {
 template <typename T>
 bool intersect_exactly(PrimitiveKind kind, const Placement& placement, const RayCena<T>& ray,
                        T resolution, Span<T>& span) {
-  const Scaled problem = scaled(placement, glm::dvec3(ray.origin.v), glm::dvec3(ray.direction.v));
-  ExactIntersection<DoubleDouble> usual(kind, problem);
-  const bool crosses = usual.run(problem.t_exponent, resolution, span);
-  if (usual.certain()) return crosses;
-  ExactIntersection<Wide> last(kind, problem);
-  return last.run(problem.t_exponent, resolution, span);
+  const glm::dvec3 origin(ray.origin.v), direction(ray.direction.v);
+  const auto& m = placement.linear;
+  const int size =
+      std::max({exponent_of_largest(m[0]), exponent_of_largest(m[1]), exponent_of_largest(m[2])});
+  const Scaled problem = scaled(placement, origin, direction, size, exponent_of_largest(direction));
+  if (problem.finite()) {
+    ExactIntersection<DoubleDouble> usual(kind, problem);
+    const bool crosses = usual.run(problem.t_exponent, resolution, span);
+    if (usual.certain()) return crosses;
+  }
+  const Scaled as_given = scaled(placement, origin, direction, 0, 0);
+  if (!as_given.finite()) return false;
+  ExactIntersection<Wide> last(kind, as_given);
+  return last.run(as_given.t_exponent, resolution, span);
 }
 
 template bool intersect_exactly(PrimitiveKind, const Placement&, const RayCena<float>&, float,

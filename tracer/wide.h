@@ -3,6 +3,8 @@
 // do not decide either, as on an exact tangent.
 #pragma once
 
+#include <cmath>
+
 #include <gmpxx.h>
 
 namespace sir {
@@ -27,6 +29,7 @@ class Wide {
   /// The nearest double (GMP's own conversion cuts off).
   friend double to_double(const Wide& a) {
     const double cut = a.v_.get_d();
+    if (!std::isfinite(cut)) return cut;
     return cut + mpf_class(a.v_ - cut).get_d();
   }
   friend int sign_of(const Wide& a) { return sgn(a.v_); }
