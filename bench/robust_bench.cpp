@@ -74,7 +74,7 @@ void measure(const char* scalar, PrimitiveKind kind, double distance, bool with_
     return bench::intersect_as_in_textbooks(textbook, ray, enter, leave);
   };
   const auto bounded = [&](const RayCena<T>& ray, Span<T>& span) {
-    return intersect(kind, leaf.to_local(ray), span);
+    return intersect(kind, leaf.to_local(ray, T(1)), span);
   };
   const auto sure = [&](const RayCena<T>& ray, Span<T>& span) {
     const Crossing crossing = bounded(ray, span);

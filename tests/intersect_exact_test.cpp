@@ -54,7 +54,7 @@ void compare(PrimitiveKind kind, std::uint64_t seed, Tally& tally) {
                          {glm::vec<3, T>(scaled_near_one(n % 5 ? way : glm::round(way)))}};
     if (ray.direction.v == glm::vec<3, T>(0)) continue;
     Span<T> fast, exact;
-    const Crossing crossing = intersect(kind, solid.leaves[0].to_local(ray), fast);
+    const Crossing crossing = intersect(kind, solid.leaves[0].to_local(ray, T(1)), fast);
     const bool crosses = intersect_exactly(kind, placement, ray, T(0), exact);
     if (crossing == Crossing::unsure) {
       ++tally.unsure;

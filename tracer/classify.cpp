@@ -38,7 +38,9 @@ void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T far
   ray_ = ray;
   start_ = start;
   secondary_ = start.leaf != RayStart<T>::kNowhere;
-  start_t_ = secondary_ ? largest(ray.origin.v) / largest(ray.direction.v) : T(0);
+  const T speed = largest(ray.direction.v);
+  pace_ = std::ldexp(T(1), -std::ilogb(speed));
+  start_t_ = secondary_ ? largest(ray.origin.v) / speed : T(0);
 
   if (engine_ == Engine::roth) {
     for (std::uint32_t leaf = 0; leaf < solid_.leaves.size(); ++leaf) gather(leaf);
@@ -55,10 +57,18 @@ void Classifier<T>::gather(std::uint32_t index) {
   const Leaf<T>& leaf = solid_.leaves[index];
   if (index == start_.leaf && !start_.inward) return;  // convex: never met again
   Span<T> span;
-  const Crossing crossing = intersect(leaf.kind, leaf.to_local(ray_), span);
+  const T pace = pace_ * leaf.pace;
+  const Crossing crossing = intersect(leaf.kind, leaf.to_local(ray_, pace), span);
   if (crossing == Crossing::misses) return;
   const bool exact = crossing == Crossing::unsure;
-  if (exact && !cross_exactly(index, span)) return;
+  if (exact) {
+    if (!cross_exactly(index, span)) return;
+  } else {
+    span.enter *= pace;
+    span.leave *= pace;
+    span.enter_error *= pace;
+    span.leave_error *= pace;
+  }
   join_start(index, span);
   // Behind the start without a doubt.
   if (span.leave < -span.leave_error || !(span.enter < span.leave)) return;
@@ -83,14 +93,22 @@ void Classifier<T>::join_start(std::uint32_t index, Span<T>& span) const {
     return;
   }
   const Leaf<T>& leaf = solid_.leaves[index];
-  const PointLocal<T> start = leaf.placement.unapply(ray_.origin);
+  const RayLocal<T> local = leaf.placement.unapply(ray_);
   const T tolerance = leaf.stretch * start_.error;
-  const bool enters_here = on_face(leaf.kind, span.enter_face, start, tolerance);
-  const bool leaves_here = on_face(leaf.kind, span.leave_face, start, tolerance);
-  const bool same_surface = span.enter_face == span.leave_face;
-  const bool enter_is_nearer = std::abs(span.enter) <= std::abs(span.leave);
-  if (enters_here && (!same_surface || enter_is_nearer)) span.enter = span.enter_error = T(0);
-  if (leaves_here && (!same_surface || !enter_is_nearer)) span.leave = span.leave_error = T(0);
+  // On an edge the start is on a face that the ray crosses elsewhere too: where
+  // it passes the face here it does so in the right direction.
+  const auto passes_here = [&](std::uint8_t face, T way) {
+    return on_face(leaf.kind, face, local.origin, tolerance) &&
+           way * dot(outward_normal(leaf.kind, face, local.origin), local.direction) >= 0;
+  };
+  if (span.enter_face == span.leave_face) {
+    if (!on_face(leaf.kind, span.enter_face, local.origin, tolerance)) return;
+    if (std::abs(span.enter) <= std::abs(span.leave)) span.enter = span.enter_error = T(0);
+    else span.leave = span.leave_error = T(0);
+    return;
+  }
+  if (passes_here(span.enter_face, T(-1))) span.enter = span.enter_error = T(0);
+  if (passes_here(span.leave_face, T(1))) span.leave = span.leave_error = T(0);
 }
 
 // Sorts the events, with more digits wherever the order, or what is one event,
@@ -101,7 +119,7 @@ void Classifier<T>::settle() {
   for (bool settled = false; !settled;) {
     settled = true;
     const auto sharpen_one = [&](const Event& event) {
-      Crossed& crossed = spans_[event.crossed];
+      const Crossed& crossed = spans_[event.crossed];
       if (crossed.exact) return;
       sharpen(crossed);
       settled = false;
@@ -156,17 +174,25 @@ template <typename T>
 bool Classifier<T>::doubtful(const Event& a, const Event& b) const {
   const T error = a.error + b.error;
   if (!(error > 0)) return false;
+  const Crossed &one = spans_[a.crossed], &other = spans_[b.crossed];
+  if (a.enters == b.enters && solid_.leaves[one.leaf].shape == solid_.leaves[other.leaf].shape)
+    return false;  // the same end of the same thing
   const T gap = b.t - a.t, size = std::max(std::abs(a.t), std::abs(b.t));
   constexpr T kReach = Numeric<T>::kCoincidentUlps * Numeric<T>::kEpsilon;
   if (gap - error > kReach * (size + error)) return false;  // ulp(t) <= epsilon |t|
   return !(gap + error <= Numeric<T>::kCoincidentUlps * Numeric<T>::ulp(size - error));
 }
 
+// Those of one kind and place together, so that they stay one event.
 template <typename T>
-void Classifier<T>::sharpen(Crossed& crossed) {
-  crossed.exact = true;
-  // What was certain stays so: it crosses.
-  if (cross_exactly(crossed.leaf, crossed.span)) join_start(crossed.leaf, crossed.span);
+void Classifier<T>::sharpen(const Crossed& doubted) {
+  const std::uint32_t shape = solid_.leaves[doubted.leaf].shape;
+  for (Crossed& crossed : spans_) {
+    if (crossed.exact || solid_.leaves[crossed.leaf].shape != shape) continue;
+    crossed.exact = true;
+    // What was certain stays so: it crosses.
+    if (cross_exactly(crossed.leaf, crossed.span)) join_start(crossed.leaf, crossed.span);
+  }
 }
 
 // Switches a primitive and passes the change up while gates switch; true when

@@ -95,7 +95,7 @@ class Classifier {
   void list_events();
   bool doubtful(const Event& event) const;
   bool doubtful(const Event& a, const Event& b) const;
-  void sharpen(Crossed& crossed);
+  void sharpen(const Crossed& doubted);
   bool toggle(Crossed& crossed);
   bool reportable(T t) const { return secondary_ ? t > 0 : t >= 0; }
   Boundary<T> boundary_of(const Event& event, bool entering) const;
@@ -113,6 +113,7 @@ class Classifier {
   Fusing fusing_;
   RayCena<T> ray_;
   RayStart<T> start_;
+  T pace_ = 1;     // a power of two that brings the direction near 1
   T start_t_ = 0;  // secondary rays: the t that is worth the origin's coordinates
   std::vector<Crossed> spans_;
   std::vector<Event> events_;

@@ -6,13 +6,15 @@ namespace sir {
 namespace {
 
 // max(0,N.H)^n; a zero L + E (the light straight behind the surface's point as
-// seen from the eye) has no direction and shines not.
+// seen from the eye) has no direction and shines not. Rounding may lift N.H
+// above 1, and a large n would make any number of that.
 template <typename T>
 T highlight(const Hit<T>& hit, VectorCena<T> light) {
   const VectorCena<T> half = light + hit.eye;
   const T size = length(half);
   if (!(size > 0)) return 0;
-  return std::pow(std::max(T(0), dot(hit.normal, half) / size), hit.reflectance->exponent);
+  const T cosine = std::min(T(1), std::max(T(0), dot(hit.normal, half) / size));
+  return std::pow(cosine, hit.reflectance->exponent);
 }
 
 }  // namespace

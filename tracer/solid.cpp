@@ -1,9 +1,18 @@
 #include "tracer/solid.h"
 
+#include <map>
 #include <unordered_map>
 
 namespace sir {
 namespace {
+
+// What rounding to T takes from a number, in units of roundoff. Kept apart: GCC
+// 12 takes two of these side by side for a vector and then drops the rounding.
+template <typename T>
+[[gnu::noinline]] T lost_in_rounding(double exact) {
+  const T rounded = static_cast<T>(exact);
+  return static_cast<T>(std::abs(exact - double(rounded)) / double(Numeric<T>::kEpsilon / 2));
+}
 
 // Counts the roundings between a ray's coordinates and those in SC_LOCAL.
 template <typename T>
@@ -25,8 +34,8 @@ void weigh_roundings(const Inverse& inverse, Leaf<T>& leaf) {
     int roundings = (exact ? 0 : 1) + (trivial ? 0 : 1) + terms - 1;
     if (leaf.unit > 0) {
       if (!exact_divisor) leaf.unit_error = kRoundoff * leaf.unit;
-    } else if (divisor != 1) {
-      roundings += exact_divisor ? 1 : 2;
+    } else {
+      roundings += (exact_divisor ? 0 : 1) + (divisor == 1 ? 0 : 1);
     }
     const T scale = kRoundoff / (leaf.unit > 0 ? T(1) : divisor);
     leaf.direction_weight[row] = T(roundings) * scale * T(1.01);
@@ -47,9 +56,8 @@ Leaf<T> make_leaf(const CsgNode& node,
     leaf.unit = leaf.placement.divisors.x;
   weigh_roundings(inverse, leaf);
   leaf.placement.translation = glm::vec<3, T>(node.placement.translation);
-  leaf.translation_slack = glm::vec<3, T>(
-      magnitudes(node.placement.translation - glm::dvec3(leaf.placement.translation)) /
-      double(Numeric<T>::kEpsilon / 2));
+  for (int axis = 0; axis < 3; ++axis)
+    leaf.translation_slack[axis] = lost_in_rounding<T>(node.placement.translation[axis]);
   leaf.stretch = 0;
   for (int row = 0; row < 3; ++row) {
     double sum = 0;
@@ -58,9 +66,32 @@ Leaf<T> make_leaf(const CsgNode& node,
   }
   for (std::size_t face = 0; face < static_cast<std::size_t>(face_count(node.kind)); ++face)
     leaf.surfaces[face] = surface_index.at(node.surfaces[face]);
+  T largest = 0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      largest = std::max(largest, std::abs(leaf.placement.numerators[column][row]));
+  leaf.pace = std::ldexp(T(1), -std::ilogb(largest));
   leaf.node = node.number;
   leaf.kind = node.kind;
   return leaf;
+}
+
+std::array<double, 13> shape_of(const CsgNode& node) {
+  const auto& m = node.placement.linear;
+  const auto& t = node.placement.translation;
+  return {double(node.kind),
+          m[0].x,
+          m[0].y,
+          m[0].z,
+          m[1].x,
+          m[1].y,
+          m[1].z,
+          m[2].x,
+          m[2].y,
+          m[2].z,
+          t.x,
+          t.y,
+          t.z};
 }
 
 enum class GateKind : std::uint8_t { any, all };
@@ -92,6 +123,7 @@ Solid<T> build_solid(const Scene& scene) {
     surface_index.emplace(surface.number, static_cast<std::uint32_t>(surface_index.size()));
 
   Solid<T> solid;
+  std::map<std::array<double, 13>, std::uint32_t> shapes;
   std::vector<GateKind> kind_of;
   std::vector<std::int32_t> inputs;
   struct Open {
@@ -109,6 +141,8 @@ Solid<T> build_solid(const Scene& scene) {
         {!node.composite, node.operation, static_cast<std::uint32_t>(solid.leaves.size())});
     if (!node.composite) {
       Leaf<T> leaf = make_leaf<T>(node, surface_index);
+      leaf.shape =
+          shapes.emplace(shape_of(node), static_cast<std::uint32_t>(shapes.size())).first->second;
       leaf.gate = item.gate;
       leaf.complemented = item.complemented;
       if (item.gate >= 0) {

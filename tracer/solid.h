@@ -28,18 +28,23 @@ struct Leaf {
   T stretch = 1;                            ///< largest row sum of |CENA_LOCAL|: how far a step
                                             ///< of 1 in SC_CENA may reach in SC_LOCAL
   std::array<std::uint32_t, 6> surfaces{};  ///< index into Scene::surfaces, by face
-  std::int64_t node = 0;                    ///< the node's number in the file
-  std::int32_t gate = -1;                   ///< the gate that it feeds; -1: it is the whole solid
+  T pace = 1;               ///< a power of two: about the size of the primitive's smallest
+                            ///< extent, so that directions stay near 1 in SC_LOCAL
+  std::uint32_t shape = 0;  ///< the same for primitives of one kind and place
+  std::int64_t node = 0;    ///< the node's number in the file
+  std::int32_t gate = -1;   ///< the gate that it feeds; -1: it is the whole solid
   PrimitiveKind kind = PrimitiveKind::cube;
   bool complemented = false;  ///< feeds "outside" instead of "inside"
 
-  /// The ray in SC_LOCAL, with bounds of the errors.
-  LocalRay<T> to_local(const RayCena<T>& ray) const;
+  /// The ray in SC_LOCAL, its direction times `factor`, a power of two, with
+  /// bounds of the errors.
+  LocalRay<T> to_local(const RayCena<T>& ray, T factor) const;
 };
 
 template <typename T>
-inline LocalRay<T> Leaf<T>::to_local(const RayCena<T>& ray) const {
-  const RayLocal<T> times_divisor = placement.unapply_times_divisor(ray);
+inline LocalRay<T> Leaf<T>::to_local(const RayCena<T>& ray, T factor) const {
+  const VectorCena<T> direction = ray.direction * factor;
+  const RayLocal<T> times_divisor = placement.unapply_times_divisor({ray.origin, direction});
   LocalRay<T> local{times_divisor.origin, times_divisor.direction, unit, {}, {}, unit_error};
   if (!(unit > 0)) {
     local.unit = 1;
@@ -50,7 +55,7 @@ inline LocalRay<T> Leaf<T>::to_local(const RayCena<T>& ray) const {
   for (int column = 0; column < 3; ++column) sizes[column] = magnitudes(sizes[column]);
   const auto way = magnitudes(ray.origin.v - placement.translation) + translation_slack;
   local.origin_error = origin_weight * (sizes * way);
-  local.direction_error = direction_weight * (sizes * magnitudes(ray.direction.v));
+  local.direction_error = direction_weight * (sizes * magnitudes(direction.v));
   return local;
 }
 
