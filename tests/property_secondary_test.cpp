@@ -208,7 +208,7 @@ TEST(PropertyRefraction, ReversedReturnsTheRay) {
     ++tally.hits;
     const double cosine = -double(dot(incident, normal));
     const double condition = (1 + double(n2) / double(n1)) / cosine;
-    if (condition * epsilon > cosine / 32) {
+    if (!(cosine > 0) || condition * epsilon > cosine / 32) {
       ++tally.undecided;  // so flat that it may be turned back
       return;
     }

@@ -112,7 +112,9 @@ void Classifier<T>::join_start(std::uint32_t index, Span<T>& span) const {
 }
 
 // Sorts the events, with more digits wherever the order, or what is one event,
-// could depend on rounding. A primitive is sharpened once at most.
+// could depend on rounding. A primitive is sharpened once at most. All pairs that
+// may touch are looked at, not neighbours only: among equal ones who is whose
+// neighbour depends on the shape of the tree, and the digits of t must not.
 template <typename T>
 void Classifier<T>::settle() {
   list_events();
@@ -124,11 +126,18 @@ void Classifier<T>::settle() {
       sharpen(crossed);
       settled = false;
     };
+    T most = 0;
+    for (const Event& event : events_) most = std::max(most, event.error);
     for (std::size_t i = 0; i < events_.size(); ++i) {
-      if (doubtful(events_[i])) sharpen_one(events_[i]);
-      if (i == 0 || !doubtful(events_[i - 1], events_[i])) continue;
-      sharpen_one(events_[i - 1]);
-      sharpen_one(events_[i]);
+      const Event& event = events_[i];
+      if (doubtful(event)) sharpen_one(event);
+      for (std::size_t j = i + 1; j < events_.size(); ++j) {
+        const Event& later = events_[j];
+        if (apart(event, later, event.error + most)) break;
+        if (!doubtful(event, later)) continue;
+        sharpen_one(event);
+        sharpen_one(later);
+      }
     }
     if (!settled) list_events();
   }
@@ -144,13 +153,8 @@ void Classifier<T>::list_events() {
     events_.push_back({nudged(span.enter, leaf, true), span.enter_error, i, true});
     events_.push_back({nudged(span.leave, leaf, false), span.leave_error, i, false});
   }
-  // Equal ones in the order of the leaves, so that neighbours do not depend on
-  // the order in which spans were found.
-  std::sort(events_.begin(), events_.end(), [this](const Event& a, const Event& b) {
-    if (a.t != b.t) return a.t < b.t;
-    const auto leaf_a = spans_[a.crossed].leaf, leaf_b = spans_[b.crossed].leaf;
-    return leaf_a != leaf_b ? leaf_a < leaf_b : a.enters && !b.enters;
-  });
+  std::sort(events_.begin(), events_.end(),
+            [](const Event& a, const Event& b) { return a.t < b.t; });
 }
 
 template <typename T>
@@ -169,18 +173,24 @@ bool Classifier<T>::doubtful(const Event& event) const {
   return event.error > Numeric<T>::kTrustedRoundings * Numeric<T>::kEpsilon * (event.t + start_t_);
 }
 
-// Whether neighbours may be one event or two.
+// Whether two events are two, if their t are off by no more than `error` in all.
+template <typename T>
+bool Classifier<T>::apart(const Event& a, const Event& b, T error) const {
+  constexpr T kReach = Numeric<T>::kCoincidentUlps * Numeric<T>::kEpsilon;
+  const T size = std::max(std::abs(a.t), std::abs(b.t));
+  return b.t - a.t - error > kReach * (size + error);  // ulp(t) <= epsilon |t|
+}
+
+// Whether two may be one event or two.
 template <typename T>
 bool Classifier<T>::doubtful(const Event& a, const Event& b) const {
   const T error = a.error + b.error;
-  if (!(error > 0)) return false;
-  const Crossed &one = spans_[a.crossed], &other = spans_[b.crossed];
-  if (a.enters == b.enters && solid_.leaves[one.leaf].shape == solid_.leaves[other.leaf].shape)
+  if (!(error > 0) || apart(a, b, error)) return false;
+  if (a.enters == b.enters &&
+      solid_.leaves[spans_[a.crossed].leaf].shape == solid_.leaves[spans_[b.crossed].leaf].shape)
     return false;  // the same end of the same thing
-  const T gap = b.t - a.t, size = std::max(std::abs(a.t), std::abs(b.t));
-  constexpr T kReach = Numeric<T>::kCoincidentUlps * Numeric<T>::kEpsilon;
-  if (gap - error > kReach * (size + error)) return false;  // ulp(t) <= epsilon |t|
-  return !(gap + error <= Numeric<T>::kCoincidentUlps * Numeric<T>::ulp(size - error));
+  const T size = std::max(std::abs(a.t), std::abs(b.t));
+  return !(b.t - a.t + error <= Numeric<T>::kCoincidentUlps * Numeric<T>::ulp(size - error));
 }
 
 // Those of one kind and place together, so that they stay one event.

@@ -94,6 +94,7 @@ class Classifier {
   void settle();
   void list_events();
   bool doubtful(const Event& event) const;
+  bool apart(const Event& a, const Event& b, T error) const;
   bool doubtful(const Event& a, const Event& b) const;
   void sharpen(const Crossed& doubted);
   bool toggle(Crossed& crossed);
