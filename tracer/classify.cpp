@@ -55,7 +55,7 @@ void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T far
 template <typename T>
 void Classifier<T>::gather(std::uint32_t index) {
   const Leaf<T>& leaf = solid_.leaves[index];
-  if (index == start_.leaf && !start_.inward) return;  // convex: never met again
+  if (stands_on(leaf) && !start_.inward) return;  // convex: never met again
   Span<T> span;
   const T pace = pace_ * leaf.pace;
   const Crossing crossing = intersect(leaf.kind, leaf.to_local(ray_, pace), span);
@@ -88,11 +88,11 @@ bool Classifier<T>::cross_exactly(std::uint32_t index, Span<T>& span) {
 template <typename T>
 void Classifier<T>::join_start(std::uint32_t index, Span<T>& span) const {
   if (!secondary_) return;
-  if (index == start_.leaf) {
+  const Leaf<T>& leaf = solid_.leaves[index];
+  if (stands_on(leaf)) {
     span.enter = span.enter_error = T(0);
     return;
   }
-  const Leaf<T>& leaf = solid_.leaves[index];
   const RayLocal<T> local = leaf.placement.unapply(ray_);
   const T tolerance = leaf.stretch * start_.error;
   // On an edge the start is on a face that the ray crosses elsewhere too: where

@@ -88,6 +88,10 @@ class Classifier {
     bool enters;
   };
 
+  /// Whether the ray starts on this primitive, or on another in the same place.
+  bool stands_on(const Leaf<T>& leaf) const {
+    return secondary_ && leaf.shape == solid_.leaves[start_.leaf].shape;
+  }
   void gather(std::uint32_t leaf);
   bool cross_exactly(std::uint32_t leaf, Span<T>& span);
   void join_start(std::uint32_t leaf, Span<T>& span) const;
