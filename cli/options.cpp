@@ -15,6 +15,7 @@
 #include "cli/export_command.h"
 #include "cli/hsv_command.h"
 #include "cli/lut_command.h"
+#include "cli/metrics_command.h"
 #include "cli/option_values.h"
 #include "cli/planes_command.h"
 #include "cli/probe_command.h"
@@ -255,6 +256,51 @@ void add_show(CLI::App& app, Action& action) {
   });
 }
 
+void add_metrics(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("metrics", "How far SHOWN is from REF, in numbers");
+  const auto options = std::make_shared<MetricsOptions>();
+  sub->add_option("REF", options->reference, "BASE (planes) or FILE.png")->required();
+  sub->add_option("SHOWN", options->shown, "the image as shown, of the same size")->required();
+  std::string names;
+  for (const std::string& name : metric_names()) names += (names.empty() ? "" : " ") + name;
+  const auto add_threshold = [&](const std::string& option, Threshold::Fails fails,
+                                 const std::string& help) {
+    sub->add_option_function<std::vector<std::string>>(
+           option,
+           [options, fails, option, names](const std::vector<std::string>& texts) {
+             for (const std::string& text : texts) {
+               Threshold threshold{{}, 0, fails};
+               if (!parse_threshold(text, threshold))
+                 throw CLI::ValidationError(
+                     option,
+                     fmt::format("\"{}\" is not NAME=X with a number X and a NAME out of {}", text,
+                                 names));
+               options->thresholds.push_back(threshold);
+             }
+           },
+           help)
+        ->allow_extra_args(false)
+        ->type_name("NAME=X");
+  };
+  add_threshold("--fail-above", Threshold::Fails::above,
+                "exit 3 where the metric is greater; may be repeated; NAME: " + names);
+  add_threshold("--fail-below", Threshold::Fails::below, "exit 3 where it is less");
+  sub->add_option("--heat-map", options->heat_map,
+                  "write CIEDE2000 as an image: black 0, blue 2.5, red 5, yellow 7.5, white >= 10")
+      ->type_name("FILE.png");
+  sub->add_option("--lut", options->lut,
+                  "also say what REF loses through this LUT by its entries, by the DAC's 6 bits "
+                  "and by the mapping")
+      ->type_name("FILE");
+  add_size(sub, options->size, "size of the planes (640x480)");
+  sub->add_flag("--json", options->json, "print JSON");
+  sub->callback([&action, options] {
+    options->reference = given_base(options->reference);
+    options->shown = given_base(options->shown);
+    action = [options](const Session& session) { return run_metrics(*options, session); };
+  });
+}
+
 void add_planes(CLI::App& app, Action& action) {
   auto* sub = app.add_subcommand("planes", "Planes to PNG (BASE), or back (FILE.png)");
   const auto options = std::make_shared<PlanesOptions>();
@@ -327,6 +373,7 @@ int run(int argc, char** argv) {
   add_render(app, action);
   add_lut(app, action);
   add_show(app, action);
+  add_metrics(app, action);
   add_table(app, action);
   add_check(app, action);
   add_trace(app, action);

@@ -46,7 +46,8 @@ TEST_F(CliTest, VersionAndHelpGoToStandardOutput) {
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
   for (const std::string command :
-       {"render", "probe", "hsv", "lut", "show", "table", "check", "trace", "planes", "export"}) {
+       {"render", "probe", "hsv", "lut", "show", "metrics", "table", "check", "trace", "planes",
+        "export"}) {
     EXPECT_NE(help.out.find("\n  " + command + " "), std::string::npos) << command;
     const Ended own = sir({command, "--help"});
     EXPECT_EQ(own.exit_code, 0) << command;
