@@ -2,16 +2,16 @@
 
 #include <unistd.h>
 
-#include <functional>
 #include <iostream>
 #include <limits>
-#include <map>
 #include <memory>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/add_option.h"
+#include "cli/colour_options.h"
 #include "cli/export_command.h"
 #include "cli/hsv_command.h"
 #include "cli/lut_command.h"
@@ -31,74 +31,6 @@ namespace sir::cli {
 namespace {
 
 using Path = std::filesystem::path;
-
-// The action that the chosen subcommand leaves behind.
-using Action = std::function<int(const Session&)>;
-
-// How the value of an option is written: in short for the help, in full for
-// one who got it wrong.
-struct Form {
-  std::string brief, full;
-};
-
-// Option values that the parser of option_values.h reads: an error names the
-// option and ends in kUsage.
-template <typename Value>
-CLI::Option* add_parsed(CLI::App* app, const std::string& name, Value& value,
-                        bool (*parse)(std::string_view, Value&), const Form& form,
-                        const std::string& help) {
-  return app
-      ->add_option_function<std::string>(
-          name,
-          [&value, parse, form, name](const std::string& text) {
-            if (!parse(text, value))
-              throw CLI::ValidationError(name, fmt::format("\"{}\" is not {}", text, form.full));
-          },
-          help)
-      ->type_name(form.brief);
-}
-
-template <typename Enum>
-CLI::Option* add_choice(CLI::App* app, const std::string& name, Enum& value,
-                        const std::map<std::string, Enum>& choices, const std::string& help) {
-  std::string names;
-  for (const auto& [text, unused] : choices) names += (names.empty() ? "" : "|") + text;
-  return app
-      ->add_option_function<std::string>(
-          name,
-          [&value, choices, names, name](const std::string& text) {
-            const auto found = choices.find(text);
-            if (found == choices.end())
-              throw CLI::ValidationError(name, fmt::format("\"{}\" is not one of {}", text, names));
-            value = found->second;
-          },
-          help)
-      ->type_name(names);
-}
-
-// A finite number from `least` to `most`; CLI11's own checks let "nan" pass.
-CLI::Option* add_number(CLI::App* app, const std::string& name, double& value, double least,
-                        double most, const std::string& help) {
-  return app
-      ->add_option_function<std::string>(
-          name,
-          [&value, least, most, name](const std::string& text) {
-            double number = 0;
-            if (!parse_number(text, number) || number < least || number > most)
-              throw CLI::ValidationError(
-                  name, most < std::numeric_limits<double>::max()
-                            ? fmt::format("\"{}\" is not a number from {} to {}", text, least, most)
-                            : fmt::format("\"{}\" is not a number >= {}", text, least));
-            value = number;
-          },
-          help)
-      ->type_name("X");
-}
-
-void add_size(CLI::App* app, ImageSize& size, const std::string& help) {
-  add_parsed(app, "--size", size, parse_size,
-             {"WxH", "WxH, both positive, at most 2^28 pixels in all"}, help);
-}
 
 void add_precision(CLI::App* app, Precision& precision) {
   add_choice(app, "--precision", precision,
@@ -372,6 +304,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   add_render(app, action);
   add_lut(app, action);
+  add_paint(app, action);
+  add_cost(app, action);
   add_show(app, action);
   add_metrics(app, action);
   add_table(app, action);

@@ -23,7 +23,7 @@ TEST_F(CliTest, WrongUsageExitsWith2AndNamesTheOption) {
   };
   for (const Wrong& wrong :
        std::vector<Wrong>{{{}, "subcommand"},
-                          {{"paint", "s"}, "paint"},
+                          {{"sculpt", "s"}, "sculpt"},
                           {{"--frob"}, "--frob"},
                           {{"render"}, "BASE"},
                           {{"render", "s", "--frob"}, "--frob"},

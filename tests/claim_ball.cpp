@@ -1,0 +1,97 @@
+#include "tests/claim_ball.h"
+
+#include <cmath>
+#include <vector>
+
+#include "quant/grid.h"
+#include "quant/nearest.h"
+#include "tracer/camera.h"
+#include "tracer/probe.h"
+#include "tracer/render.h"
+#include "tracer/scene_file.h"
+
+namespace sir::test {
+namespace {
+
+constexpr std::int64_t kBallNode = 6, kBallSurface = 5;  // in docs/claim/ball
+
+Scene scene_with(const std::filesystem::path& base, const Ball& ball) {
+  Scene scene = read_scene(base);
+  for (CsgNode& node : scene.tree.nodes)
+    if (node.number == kBallNode)
+      node.placement = {glm::dmat3(ball.radius), {ball.x, ball.radius, ball.z}};
+  for (Surface& surface : scene.surfaces)
+    if (surface.number == kBallSurface) surface.first.ambient = surface.first.diffuse = ball.colour;
+  return scene;
+}
+
+std::vector<std::size_t> pixels_of(const Scene& scene, ImageSize size) {
+  const auto prober = make_prober(scene, Precision::double_);
+  const Camera<double> camera(scene.camera);
+  std::vector<std::size_t> pixels;
+  for (int j = 0; j < size.height; ++j)
+    for (int i = 0; i < size.width; ++i) {
+      const auto ray = camera.primary_ray(i, j, size);
+      const auto& hits = prober->hits(ray.origin.v, ray.direction.v);
+      if (!hits.empty() && hits.front().node == kBallNode)
+        pixels.push_back(static_cast<std::size_t>(j * size.width + i));
+    }
+  return pixels;
+}
+
+Planes as_seen(const Planes& image, const quant::Lut& lut) {
+  Planes shown(image.size);
+  const auto indices = quant::map_to_lut(image, lut);
+  for (std::size_t i = 0; i < indices.size(); ++i) shown.set(i, quant::seen(lut.entry[indices[i]]));
+  return shown;
+}
+
+double rms(const Planes& reference, const Planes& shown) {
+  double sum = 0;
+  for (std::size_t i = 0; i < reference.size.pixels(); ++i) {
+    const Rgb8 a = reference.at(i), b = shown.at(i);
+    sum += std::pow(a.r - b.r, 2) + std::pow(a.g - b.g, 2) + std::pow(a.b - b.b, 2);
+  }
+  return std::sqrt(sum / (3 * static_cast<double>(reference.size.pixels())));
+}
+
+double hue_lost(const Planes& reference, const Planes& shown) {
+  const quant::HsvGrid grid;
+  const auto plane = [&grid](Rgb8 colour) { return grid.plane(grid.point(grid.cell(colour))); };
+  double coloured = 0, lost = 0;
+  for (std::size_t i = 0; i < reference.size.pixels(); ++i) {
+    const int was = plane(reference.at(i));
+    if (was == grid.grey_plane()) continue;
+    ++coloured;
+    lost += plane(shown.at(i)) != was;
+  }
+  return coloured > 0 ? lost / coloured : 0;
+}
+
+}  // namespace
+
+BallImage::BallImage(const std::filesystem::path& base, const Ball& ball, ImageSize size) {
+  const Scene scene = scene_with(base, ball);
+  RenderOptions options;
+  options.size = size;
+  image_ = render(scene, options).planes;
+  ball_ = pixels_of(scene, size);
+  true_ball_ = of_ball(image_);
+}
+
+Planes BallImage::of_ball(const Planes& image) const {
+  Planes part(ImageSize{static_cast<int>(ball_.size()), 1});
+  for (std::size_t i = 0; i < ball_.size(); ++i) part.set(i, image.at(ball_[i]));
+  return part;
+}
+
+BallLoss BallImage::loss(quant::Space space, quant::SplitOrder order) const {
+  quant::ChooseOptions options;
+  options.space = space;
+  options.split = order;
+  const Planes shown = as_seen(image_, quant::choose_lut(image_, options));
+  const Planes ball = of_ball(shown);
+  return {rms(true_ball_, ball), rms(image_, shown), hue_lost(true_ball_, ball)};
+}
+
+}  // namespace sir::test
