@@ -13,7 +13,8 @@
 #include "cli/image_input.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "quant/nearest.h"
+#include "quant/metrics.h"
+#include "quant/shown_through.h"
 #include "tracer/error.h"
 
 namespace sir::cli {
@@ -29,24 +30,7 @@ struct Choice {
   ChooseOptions options;
 };
 
-struct Quality {
-  std::optional<double> psnr;  // of equal images there is none
-  double rmse = 0;
-};
-
-// How far `shown` is from `reference`; the one place that says by what measures.
-Quality judge(const Planes& reference, const Planes& shown) {
-  double sum = 0;
-  for (std::size_t plane = 0; plane < 3; ++plane)
-    for (std::size_t pixel = 0; pixel < reference.size.pixels(); ++pixel) {
-      const double off = reference.channel[plane][pixel] - shown.channel[plane][pixel];
-      sum += off * off;
-    }
-  Quality quality;
-  quality.rmse = std::sqrt(sum / (3 * static_cast<double>(reference.size.pixels())));
-  if (sum > 0) quality.psnr = 20 * std::log10(255 / quality.rmse);
-  return quality;
-}
+using Quality = quant::ImageMetrics;
 
 // A column of the table, and its name in JSON.
 struct Measure {
@@ -58,6 +42,9 @@ struct Measure {
 constexpr Measure kMeasures[] = {
     {"psnr", "PSNR dB", 2, [](const Quality& q) { return q.psnr; }},
     {"rmse", "rmse", 3, [](const Quality& q) { return std::optional(q.rmse); }},
+    {"de_mean", "dE mean", 2, [](const Quality& q) { return std::optional(q.de_mean); }},
+    {"de_p95", "dE p95", 2, [](const Quality& q) { return std::optional(q.de_p95); }},
+    {"hue_loss", "hues lost", 4, [](const Quality& q) { return std::optional(q.hue_loss); }},
 };
 
 struct Row {
@@ -119,14 +106,6 @@ double median(std::vector<double> values) {
   return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-Planes as_seen(const Planes& image, const quant::Lut& lut) {
-  Planes shown(image.size);
-  const auto indices = quant::map_to_lut(image, lut);
-  for (std::size_t pixel = 0; pixel < indices.size(); ++pixel)
-    shown.set(pixel, quant::seen(lut.entry[indices[pixel]]));
-  return shown;
-}
-
 // Each round begins with another row: a round is as long as a scheduler's turn, which would
 // otherwise always end in the same row. The first also judges. False where it was interrupted.
 bool run_round(const Planes& image, std::size_t round, std::vector<Row>& rows,
@@ -141,7 +120,7 @@ bool run_round(const Planes& image, std::size_t round, std::vector<Row>& rows,
     if (row.ms.empty()) {
       row.colours = cells.size();
       row.entries = lut.chosen;
-      row.quality = judge(image, as_seen(image, lut));
+      row.quality = quant::measure(image, quant::shown_through(image, lut));
     }
     row.ms.push_back(took.count());
     done();

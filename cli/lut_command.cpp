@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "cli/image_input.h"
 #include "quant/lut.h"
@@ -64,7 +65,10 @@ int run_lut(const LutOptions& options, const Session& session) {
   const auto lut = timed(ms.choose, [&] { return quant::choose_from(cells, choice); });
   timed(ms.write, [&] { quant::write_lut(output, lut); });
 
-  const auto counts = quant::occupied_cells(image, choice.grid, choice.sample);
+  auto other = choice;  // the grid that was not counted yet
+  other.space = choice.space == quant::Space::rgb ? quant::Space::hsv : quant::Space::rgb;
+  quant::CellCounts counts{cells.size(), quant::count_for(image, other).size()};
+  if (choice.space == quant::Space::hsv) std::swap(counts.rgb, counts.hsv);
   print(options.json ? as_json(counts, lut.chosen, ms) : as_text(output, counts, lut.chosen, ms));
   detail(session, output.string() + " written");
   return kDone;

@@ -257,6 +257,8 @@ void add_table(CLI::App& app, Action& action) {
       ->type_name("DIR");
   sub->add_option("--repeats", command->repeats, "timed runs (5)")->check(CLI::Range(1, 1000));
   sub->add_flag("--json", command->json, "print JSON");
+  sub->add_option("--html", command->html, "also write a report: one page with all pictures in it")
+      ->type_name("FILE");
   sub->callback([&action, command] {
     action = [command](const Session& session) { return run_table(*command, session); };
   });

@@ -13,11 +13,13 @@ struct TableCommand {
   std::optional<std::filesystem::path> planes;  ///< folder of their planes, already rendered
   int repeats = 5;                              ///< runs of which the median time is told
   bool json = false;
+  std::optional<std::filesystem::path> html;  ///< where to write the report
 };
 
 /// For each of the five images and each of the two median cuts: the number of
 /// colours (occupied cells) and the time of what the thesis timed (reading the
-/// planes, counting, choosing, writing the LUT), with the thesis's figures.
+/// planes, counting, choosing, writing the LUT), with the thesis's figures, the
+/// quality of the LUT, and the clock of 1989 fitted to the thesis's times.
 /// Without `planes` the scenes are rendered first, 640x480, one ray a pixel;
 /// without `images` they are looked for in ./images and beside the program.
 int run_table(const TableCommand& command, const Session& session);

@@ -83,20 +83,27 @@ std::vector<std::uint8_t> map_to_lut(const Planes& image, const Lut& lut) {
   return indices;
 }
 
-NearestSearch::NearestSearch(const Lut& lut) {
+NearestSearch::Cubes::Cubes(int bits) : shift(bits), ranges(std::size_t{1} << 3 * (8 - bits)) {}
+
+NearestSearch::Range& NearestSearch::Cubes::around(Rgb8 colour) {
+  const int side = 8 - shift;
+  return ranges[static_cast<std::size_t>(((colour.r >> shift) << 2 * side) +
+                                         ((colour.g >> shift) << side) + (colour.b >> shift))];
+}
+
+NearestSearch::NearestSearch(const Lut& lut) : levels_{Cubes(5), Cubes(4)} {
   for (std::size_t i = 0; i < kLutEntries; ++i) {
     if (std::find(lut.entry.begin(), lut.entry.begin() + static_cast<std::ptrdiff_t>(i),
                   lut.entry[i]) != lut.entry.begin() + static_cast<std::ptrdiff_t>(i))
       continue;  // an equal entry of lower index always comes first
     const Rgb8 bytes = seen(lut.entry[i]);
-    entries_.push_back({bytes.r, bytes.g, bytes.b, static_cast<std::uint8_t>(i)});
+    candidates_.push_back({bytes.r, bytes.g, bytes.b, static_cast<std::uint8_t>(i)});
   }
+  all_.count = static_cast<std::uint32_t>(candidates_.size());
 }
 
 std::uint8_t NearestSearch::operator()(Rgb8 colour) {
-  Range& range = cubes_[static_cast<std::size_t>(
-      ((colour.r >> kShift) * kSide + (colour.g >> kShift)) * kSide + (colour.b >> kShift))];
-  if (range.count == 0) list_candidates(colour, range);
+  const Range range = listed(colour, levels_.size() - 1);
   std::uint32_t best = 0xFFFFFFFF;
   const Candidate* const first = candidates_.data() + range.first;
   for (const Candidate* entry = first; entry != first + range.count; ++entry)
@@ -105,28 +112,39 @@ std::uint8_t NearestSearch::operator()(Rgb8 colour) {
   return static_cast<std::uint8_t>(best);
 }
 
-void NearestSearch::list_candidates(Rgb8 colour, Range& range) {
-  constexpr int kLast = (1 << kShift) - 1;
-  // Twice the distances from the cube's middle keep the halves whole.
-  const auto twice_from_middle = [](int level, int inside) {
-    return std::abs(2 * level - 2 * (inside & ~kLast) - kLast);
-  };
-  const auto least = [](int twice) { return square(std::max(twice - kLast, 0)); };
-  const auto greatest = [](int twice) { return square(twice + kLast); };
+NearestSearch::Range NearestSearch::listed(Rgb8 colour, std::size_t level) {
+  Range& range = levels_[level].around(colour);
+  if (range.count == 0)
+    range = list(colour, levels_[level].shift, level == 0 ? all_ : listed(colour, level - 1));
+  return range;
+}
 
-  std::vector<int> nearest_to_cube;
-  int limit = 4 * 3 * square(255);
-  for (const Candidate& entry : entries_) {
-    const int r = twice_from_middle(entry.r, colour.r);
-    const int g = twice_from_middle(entry.g, colour.g);
-    const int b = twice_from_middle(entry.b, colour.b);
-    nearest_to_cube.push_back(least(r) + least(g) + least(b));
-    limit = std::min(limit, greatest(r) + greatest(g) + greatest(b));
+NearestSearch::Range NearestSearch::list(Rgb8 colour, int shift, Range from) {
+  const int last = (1 << shift) - 1;
+  // Twice the lengths keep the centre's halves whole.
+  const auto twice_centre = [&](int inside) { return 2 * (inside & ~last) + last; };
+  const int r = twice_centre(colour.r), g = twice_centre(colour.g), b = twice_centre(colour.b);
+  candidates_.resize(candidates_.size() + from.count);  // room for all, until it is known for whom
+  const Candidate* const entries = candidates_.data() + from.first;
+  std::array<int, kLutEntries> distance;  // from the centre
+  for (std::size_t i = 0; i < from.count; ++i)
+    distance[i] =
+        square(2 * entries[i].r - r) + square(2 * entries[i].g - g) + square(2 * entries[i].b - b);
+  const auto least = std::min_element(distance.begin(), distance.begin() + from.count);
+  const Candidate nearest = entries[least - distance.begin()];
+  const int limit = *least;
+  Range range{static_cast<std::uint32_t>(candidates_.size()) - from.count, 0};
+  for (std::size_t i = 0; i < from.count; ++i) {
+    const Candidate entry = entries[i];
+    // At the corner that favours the entry most; there as near as the nearest is near enough.
+    const int gain = 4 * last *
+                     (std::abs(entry.r - nearest.r) + std::abs(entry.g - nearest.g) +
+                      std::abs(entry.b - nearest.b));
+    candidates_[range.first + range.count] = entry;
+    range.count += distance[i] <= limit + gain;
   }
-  range.first = static_cast<std::uint32_t>(candidates_.size());
-  for (std::size_t i = 0; i < entries_.size(); ++i)
-    if (nearest_to_cube[i] <= limit) candidates_.push_back(entries_[i]);
-  range.count = static_cast<std::uint32_t>(candidates_.size()) - range.first;
+  candidates_.resize(range.first + range.count);
+  return range;
 }
 
 }  // namespace sir::quant

@@ -22,10 +22,11 @@ std::vector<std::uint8_t> map_to_lut(const Planes& image, const Lut& lut);
 /// The same by the definition, pixel by pixel: 256 comparisons each.
 std::vector<std::uint8_t> map_exhaustively(const Planes& image, const Lut& lut);
 
-/// Finds nearest entries among few candidates. The colours are divided into
-/// cubes. An entry can be nearest to a colour of a cube only if its least
-/// distance to the cube does not exceed the greatest distance of some other
-/// entry; a cube's candidates are listed when its first colour comes.
+/// Finds nearest entries among few candidates. The colours are divided into cubes, those
+/// again into smaller ones. Let f be the entry nearest to a cube's centre; another entry is
+/// nearest to no colour of the cube if f is nearer everywhere in it, which the difference of
+/// their squared distances, being linear, shows at one corner. A cube's candidates are
+/// listed when its first colour comes, out of those of the cube around it.
 class NearestSearch {
  public:
   explicit NearestSearch(const Lut& lut);
@@ -34,22 +35,27 @@ class NearestSearch {
   std::uint8_t operator()(Rgb8 colour);
 
  private:
-  static constexpr int kShift = 4;  // cubes of 16 levels a side
-  static constexpr int kSide = 256 >> kShift;
-
   struct Candidate {
-    std::int16_t r, g, b;
-    std::uint8_t index;
+    std::uint8_t r, g, b, index;
   };
   struct Range {
-    std::uint32_t first = 0, count = 0;  // count 0: not listed yet
+    std::uint32_t first = 0, count = 0;  // of candidates_; count 0: not listed yet
   };
 
-  void list_candidates(Rgb8 colour, Range& range);
+  /// All cubes of 2^shift levels a side.
+  struct Cubes {
+    int shift;
+    std::vector<Range> ranges;
+    explicit Cubes(int bits);
+    Range& around(Rgb8 colour);
+  };
 
-  std::vector<Candidate> entries_;     // without colours that stood before
-  std::vector<Candidate> candidates_;  // of all listed cubes, indices ascending within each
-  std::array<Range, std::size_t{kSide} * kSide * kSide> cubes_{};
+  Range listed(Rgb8 colour, std::size_t level);
+  Range list(Rgb8 colour, int shift, Range from);
+
+  Range all_;                          // without entries of a colour that stood before
+  std::vector<Candidate> candidates_;  // of every range, indices ascending within each
+  std::array<Cubes, 2> levels_;        // from large cubes to small ones
 };
 
 }  // namespace sir::quant

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "quant/grid.h"
-#include "quant/nearest.h"
+#include "quant/hue_loss.h"
+#include "quant/shown_through.h"
 #include "tracer/camera.h"
 #include "tracer/probe.h"
 #include "tracer/render.h"
@@ -39,13 +39,6 @@ std::vector<std::size_t> pixels_of(const Scene& scene, ImageSize size) {
   return pixels;
 }
 
-Planes as_seen(const Planes& image, const quant::Lut& lut) {
-  Planes shown(image.size);
-  const auto indices = quant::map_to_lut(image, lut);
-  for (std::size_t i = 0; i < indices.size(); ++i) shown.set(i, quant::seen(lut.entry[indices[i]]));
-  return shown;
-}
-
 double rms(const Planes& reference, const Planes& shown) {
   double sum = 0;
   for (std::size_t i = 0; i < reference.size.pixels(); ++i) {
@@ -53,19 +46,6 @@ double rms(const Planes& reference, const Planes& shown) {
     sum += std::pow(a.r - b.r, 2) + std::pow(a.g - b.g, 2) + std::pow(a.b - b.b, 2);
   }
   return std::sqrt(sum / (3 * static_cast<double>(reference.size.pixels())));
-}
-
-double hue_lost(const Planes& reference, const Planes& shown) {
-  const quant::HsvGrid grid;
-  const auto plane = [&grid](Rgb8 colour) { return grid.plane(grid.point(grid.cell(colour))); };
-  double coloured = 0, lost = 0;
-  for (std::size_t i = 0; i < reference.size.pixels(); ++i) {
-    const int was = plane(reference.at(i));
-    if (was == grid.grey_plane()) continue;
-    ++coloured;
-    lost += plane(shown.at(i)) != was;
-  }
-  return coloured > 0 ? lost / coloured : 0;
 }
 
 }  // namespace
@@ -89,9 +69,10 @@ BallLoss BallImage::loss(quant::Space space, quant::SplitOrder order) const {
   quant::ChooseOptions options;
   options.space = space;
   options.split = order;
-  const Planes shown = as_seen(image_, quant::choose_lut(image_, options));
+  const Planes shown = quant::shown_through(image_, quant::choose_lut(image_, options));
   const Planes ball = of_ball(shown);
-  return {rms(true_ball_, ball), rms(image_, shown), hue_lost(true_ball_, ball)};
+  return {rms(true_ball_, ball), rms(image_, shown), quant::hue_loss(true_ball_, ball).weighted,
+          quant::hue_loss(image_, shown).alarms};
 }
 
 }  // namespace sir::test

@@ -26,6 +26,7 @@ struct BallLoss {
   double ball = 0;   ///< root of the mean squared difference of bytes, in the ball's pixels
   double image = 0;  ///< the same over all pixels
   double hue = 0;    ///< share of the ball's coloured pixels seen in another hue plane, or grey
+  std::vector<int> alarms;  ///< hue planes that are gone from the image (quant/hue_loss.h)
 };
 
 /// Our whitted with such a ball, rendered, and the pixels in which the ball is seen
