@@ -31,11 +31,12 @@ table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { padding: .25rem .7rem; text-align: right; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; }
 thead th { border-bottom: 1px solid var(--line); vertical-align: bottom; }
+th[colspan] { text-align: center; }
 td.thesis, th.thesis { color: var(--faint); }
 tbody tr:nth-child(odd) { background: color-mix(in srgb, var(--line) 25%, transparent); }
 .trio { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: .7rem;
   margin: 0 0 1.2rem; }
-.pair { display: grid; grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); gap: 1rem; }
+.pair { display: grid; grid-template-columns: repeat(auto-fill, minmax(13rem, 1fr)); gap: 1rem; }
 figure { margin: 0; } figcaption { color: var(--faint); font-size: .85rem; }
 img { width: 100%; height: auto; display: block; }
 svg.lut { width: 100%; display: block; border: 1px solid var(--line); }
@@ -84,6 +85,8 @@ class Page {
 
   std::string text() {
     out("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+        "<meta http-equiv=\"Content-Security-Policy\" "
+        "content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
         "<title>Table 4.1: 256 colours by median cut in RGB and in HSV</title>"
         "<link rel=\"icon\" href=\"data:,\">"

@@ -52,9 +52,11 @@ std::string clock_svg(const ClockReading& reading) {
                    "<title>{} in {}: {:.0f} s in 1989, {:.1f} s predicted</title></circle>",
                    rgb ? "rgb" : "hsv", x, y, sample.image, rgb ? "RGB" : "HSV",
                    sample.measured_seconds, fit.predicted[i]);
-    // The HSV points lie on one another; their names would too.
+    // The HSV points lie on one another, and so would their names; a name left of
+    // its point keeps clear of them.
     if (rgb)
-      fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + 8, y + 4, sample.image);
+      fmt::format_to(out, "<text class=\"right\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x - 8, y + 4,
+                     sample.image);
   }
   fmt::format_to(out,
                  "<text class=\"mid\" x=\"{}\" y=\"{}\">seconds in 1989</text>"

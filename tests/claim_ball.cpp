@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "quant/grid.h"
 #include "quant/hue_loss.h"
 #include "quant/shown_through.h"
 #include "tracer/camera.h"
@@ -63,6 +64,14 @@ Planes BallImage::of_ball(const Planes& image) const {
   Planes part(ImageSize{static_cast<int>(ball_.size()), 1});
   for (std::size_t i = 0; i < ball_.size(); ++i) part.set(i, image.at(ball_[i]));
   return part;
+}
+
+std::set<int> BallImage::hues() const {
+  std::set<int> planes;
+  for (const auto& plane : quant::hue_loss(true_ball_, true_ball_).planes)
+    planes.insert(plane.plane);
+  planes.erase(quant::HsvGrid().grey_plane());
+  return planes;
 }
 
 BallLoss BallImage::loss(quant::Space space, quant::SplitOrder order) const {

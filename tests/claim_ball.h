@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -37,6 +38,8 @@ class BallImage {
   BallImage(const std::filesystem::path& base, const Ball& ball, ImageSize size);
 
   const Planes& image() const { return image_; }
+  /// The hue planes in which the ball's pixels lie.
+  std::set<int> hues() const;
   std::size_t pixels() const { return true_ball_.size.pixels(); }
 
   /// With the LUT of median cut, each pixel as the nearest entry.

@@ -3,6 +3,7 @@
 // not where the longest box is split first, and the thesis leaves the order open.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "tests/claim_ball.h"
@@ -60,6 +61,21 @@ TEST_P(Claim, DoesNotHoldWhereTheLongestBoxIsSplit) {
 TEST_P(Claim, IsPaidForInTheRestOfTheImage) {
   for (const SplitOrder order : {SplitOrder::pixels, SplitOrder::breadth, SplitOrder::longest})
     EXPECT_GT(scene.loss(Space::hsv, order).image, 1.2 * scene.loss(Space::rgb, order).image);
+}
+
+// The alarm is about hues of the whole image, so the ball must be alone with its own: blue is
+// the sky's too, and orange the board's.
+TEST(ClaimAlarm, NamesTheBallsHueInRgbAndNotInHsv) {
+  for (const glm::dvec3& colour : {glm::dvec3(0.1, 0.7, 0.15), glm::dvec3(0.5, 0.1, 0.7)}) {
+    const BallImage scene{SIR_CLAIM "/ball", {colour}, {320, 240}};
+    const auto alarmed = [&](Space space) {
+      const auto alarms = scene.loss(space, SplitOrder::pixels).alarms;
+      return std::any_of(alarms.begin(), alarms.end(),
+                         [&](int plane) { return scene.hues().contains(plane); });
+    };
+    EXPECT_TRUE(alarmed(Space::rgb));
+    EXPECT_FALSE(alarmed(Space::hsv));
+  }
 }
 
 }  // namespace
