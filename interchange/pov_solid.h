@@ -14,9 +14,9 @@ struct PovSolid {
 };
 
 /// The whole solid. Chains of unions become one statement with many members, and
-/// so do chains of intersections and of subtractions. Never recurses. (What cannot be flattened, unions
-/// of intersections of unions and so on, it takes 10,000 deep and more, in a
-/// time that grows with the square of the depth.)
+/// so do chains of intersections and of subtractions. Never recurses. (What cannot be flattened,
+/// unions of intersections of unions and so on, it takes 10,000 deep and more, in a time that grows
+/// with the square of the depth.)
 ///
 /// A union in which a surface is transparent becomes a `merge`, which has no
 /// walls inside, as ours; an opaque one a `union`, whose walls inside cannot be

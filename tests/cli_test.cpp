@@ -45,9 +45,8 @@ TEST_F(CliTest, VersionAndHelpGoToStandardOutput) {
   const Ended help = sir({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  for (const std::string command :
-       {"render", "probe", "hsv", "lut", "show", "metrics", "table", "check", "trace", "planes",
-        "export", "paint", "cost"}) {
+  for (const std::string command : {"render", "probe", "hsv", "lut", "show", "metrics", "table",
+                                    "check", "trace", "planes", "export", "paint", "cost"}) {
     EXPECT_NE(help.out.find("\n  " + command + " "), std::string::npos) << command;
     const Ended own = sir({command, "--help"});
     EXPECT_EQ(own.exit_code, 0) << command;
