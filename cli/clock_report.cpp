@@ -199,19 +199,29 @@ std::vector<ClockReading> clock_readings(std::span<const ClockImage> images) {
   return readings;
 }
 
-std::string clock_text(std::span<const ClockReading> readings) {
-  std::vector<Fitted> fits;
-  const Fitted* best = nullptr;
-  for (const ClockReading& reading : readings)
-    fits.push_back({&reading, quant::fit_clock(reading.samples)});
-  for (const Fitted& one : fits)
-    if (one.reading->shrink && (best == nullptr || one.fit.r2 > best->fit.r2)) best = &one;
+const ClockReading& best_reading(std::span<const ClockReading> readings) {
+  const ClockReading* best = nullptr;
+  double most = 0;
+  for (const ClockReading& reading : readings) {
+    if (!reading.shrink) continue;
+    const double r2 = quant::fit_clock(reading.samples).r2;
+    if (best != nullptr && r2 <= most) continue;
+    best = &reading;
+    most = r2;
+  }
   if (best == nullptr) throw std::invalid_argument("no reading with boxes that are shrunk");
-  const Samples& samples = best->reading->samples;
-  const ClockFit counts = quant::fit_counts(samples);
+  return *best;
+}
+
+std::string clock_text(std::span<const ClockReading> readings) {
+  const ClockReading& reading = best_reading(readings);
+  std::vector<Fitted> fits;
+  for (const ClockReading& one : readings) fits.push_back({&one, quant::fit_clock(one.samples)});
+  const Fitted& best = fits[static_cast<std::size_t>(&reading - readings.data())];
+  const ClockFit counts = quant::fit_counts(reading.samples);
   return "The clock of 1989 - can a price for each step of the work explain the ten times?\n\n" +
-         all_fits(fits, counts, samples) + comparison(*best, fits, counts) +
-         residuals(*best, counts) + order(*best, counts) + verdict(*best);
+         all_fits(fits, counts, reading.samples) + comparison(best, fits, counts) +
+         residuals(best, counts) + order(best, counts) + verdict(best);
 }
 
 }  // namespace sir::cli

@@ -28,6 +28,10 @@ struct ClockReading {
 /// Walks the boxes of each image in the three orders of splitting, shrunk and not.
 std::vector<ClockReading> clock_readings(std::span<const ClockImage> images);
 
+/// The one with boxes that are shrunk whose fit is best. Throws std::invalid_argument where there
+/// is none; as quant::fit_clock() does.
+const ClockReading& best_reading(std::span<const ClockReading> readings);
+
 /// The clock fitted to each reading, and to the counts alone; the reading that fits best among
 /// the shrunk ones with its residuals; and what that proves and what it does not. Throws as
 /// quant::fit_clock() does; std::invalid_argument where no reading is shrunk.

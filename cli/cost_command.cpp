@@ -135,14 +135,14 @@ std::string as_text(const std::vector<ImageRows>& images) {
   for (const ImageRows& image : images) {
     text += fmt::format("{}{}\n{:<{}}{:>9}{:>9}{:>9}", text.empty() ? "" : "\n", image.name,
                         "choice", width, "colours", "entries", "ms");
-    for (const Measure& measure : kMeasures) text += fmt::format("{:>9}", measure.title);
+    for (const Measure& measure : kMeasures) text += fmt::format("{:>11}", measure.title);
     for (const Row& row : image.rows) {
       text += fmt::format("\n{:<{}}{:>9}{:>9}{:>9.3f}", row.choice.name, width, row.colours,
                           row.entries, median(row.ms));
       for (const Measure& measure : kMeasures) {
         const auto value = measure.of(row.quality);
-        text += value ? fmt::format("{:>9.{}f}", *value, measure.places)
-                      : fmt::format("{:>9}", "equal");
+        text += value ? fmt::format("{:>11.{}f}", *value, measure.places)
+                      : fmt::format("{:>11}", "equal");
       }
     }
     text += "\n";

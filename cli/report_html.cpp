@@ -55,21 +55,6 @@ std::string data_uri(const std::filesystem::path& png) {
   return "data:image/png;base64," + base64(bytes);
 }
 
-// The reading with shrunk boxes that fits best, as in the text below the plot.
-const ClockReading& best_reading(const std::vector<ClockReading>& readings) {
-  const ClockReading* best = nullptr;
-  double most = 0;
-  for (const ClockReading& reading : readings) {
-    if (!reading.shrink) continue;
-    const double r2 = quant::fit_clock(reading.samples).r2;
-    if (best == nullptr || r2 > most) {
-      best = &reading;
-      most = r2;
-    }
-  }
-  return *best;
-}
-
 std::string figure(const std::string& uri, ImageSize size, const std::string& alt,
                    const std::string& caption) {
   return fmt::format(
