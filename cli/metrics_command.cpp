@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/image_input.h"
+#include "cli/output_path.h"
 #include "quant/error_budget.h"
 #include "quant/heat_map.h"
 #include "quant/hue_loss.h"
@@ -153,6 +154,7 @@ void write_heat_map(const MetricsOptions& options, const Planes& reference, cons
   refuse_input_file(*options.heat_map, options.reference);
   refuse_input_file(*options.heat_map, options.shown);
   if (options.lut) refuse_same_file(*options.heat_map, *options.lut);
+  require_picture_name(*options.heat_map);
   viewer::write_rgb_png(*options.heat_map, quant::heat_map(reference, shown));
   detail(session, fmt::format("wrote {}: black CIEDE2000 0, blue {}, red {}, yellow {}, white {}",
                               options.heat_map->string(), quant::kWhiteHot / 4,

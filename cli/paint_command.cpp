@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/image_input.h"
+#include "cli/output_path.h"
 #include "viewer/png_file.h"
 
 namespace sir::cli {
@@ -30,6 +31,7 @@ int run_paint(const PaintOptions& options, const Session& session) {
   const Planes image = load_image(options.input, options.size);
   refuse_input_file(options.output, options.input);
   const quant::Painted painted = quant::paint(image, options.rules, options.rest);
+  require_picture_name(options.output);
   viewer::write_rgb_png(options.output, painted.image);
   const auto all = std::accumulate(painted.picked.begin(), painted.picked.end(), std::uint64_t{0});
   print(options.json ? nlohmann::ordered_json{{"pixels", image.size.pixels()},

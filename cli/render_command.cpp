@@ -53,8 +53,9 @@ void refuse_inputs(const std::filesystem::path& base, const RenderCommand& comma
 }
 
 void refuse_outputs(const std::filesystem::path& path, const std::filesystem::path& base) {
+  require_picture_name(path);
   for (const char* output : {"R", "G", "B", "png"})
-    if (path.lexically_normal() == with_suffix(base, output).lexically_normal())
+    if (same_place(path, with_suffix(base, output)))
       throw FileError(path.string(), 0,
                       "is a file of the image itself; the marked image needs another name");
 }

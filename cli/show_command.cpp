@@ -6,6 +6,7 @@
 
 #include "cli/image_input.h"
 #include "cli/interrupt.h"
+#include "cli/output_path.h"
 #include "eltek/display_driver.h"
 #include "quant/choose.h"
 #include "quant/nearest.h"
@@ -58,8 +59,7 @@ int write_png(const ShowOptions& options, const Session& session) {
   const auto& input = options.inputs.front();
   refuse_input_file(*options.png, input);
   const viewer::ScreenView view({prepare(input, options, session)}, options.crop);
-  if (options.png->extension() == ".LUT" || options.png->extension() == ".lut")
-    throw FileError(options.png->string(), 0, "is a LUT's name; the screen is written as PNG");
+  require_picture_name(*options.png);
   viewer::write_indexed_png(*options.png, view.capture());
   return kDone;
 }

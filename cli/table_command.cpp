@@ -12,6 +12,7 @@
 #include "tracer/error.h"
 #include "tracer/render.h"
 #include "tracer/scene_file.h"
+#include "tracer/scene_path.h"
 
 namespace sir::cli {
 namespace {
@@ -50,12 +51,22 @@ fs::path find_images(const std::optional<fs::path>& given) {
                   "the folder of the five scenes is not here; name it by --images DIR");
 }
 
+// The report must not take the place of what it is made from.
+void refuse_inputs(const fs::path& html, const fs::path& base) {
+  for (const char* suffix : {"CSG", "csg", "CAM", "cam", "LUZ", "luz", "SUP", "sup", "R", "r", "G",
+                             "g", "B", "b"})
+    refuse_same_file(html, with_suffix(base, suffix));
+}
+
 }  // namespace
 
 int run_table(const TableCommand& command, const Session& session) {
   const ScratchFolder scratch;
   TableData data;
   const fs::path images = command.planes ? fs::path() : find_images(command.images);
+  if (command.html)
+    for (const ThesisRow& thesis : kThesisTable)
+      refuse_inputs(*command.html, command.planes.value_or(images) / thesis.file);
   for (const ThesisRow& thesis : kThesisTable) {
     fs::path planes = command.planes.value_or(scratch.path()) / thesis.file;
     if (!command.planes) {

@@ -289,5 +289,22 @@ TEST_F(CliTest, ProgressIsForTerminalsOnly) {
   EXPECT_EQ(sir({"render", "s"}).err.find('\r'), std::string::npos);
 }
 
+TEST_F(CliTest, PicturesAndReportsReplaceNothingElse) {
+  render();
+  for (const char* name : {"s.R", "s.LUT", "s.CSG"}) {
+    expect_failure(sir({"paint", "s.png", "-o", name, "--hue", "10..20", "--with", "1,2,3"}), name);
+    expect_failure(sir({"metrics", "s.png", "s.png", "--heat-map", name}), name);
+  }
+  std::filesystem::create_directory_symlink(folder.path(), folder / "link");
+  for (const std::string& path : {std::string("link/s.png"), (folder / "s.png").string()})
+    expect_failure(sir({"render", "s", "--hesitation", path}), "image itself");
+  for (const char* name : {"whitted", "calice", "luminar", "piramide", "lcg"})
+    for (const char* suffix : {".CSG", ".CAM", ".LUZ", ".SUP"})
+      std::filesystem::copy_file(folder / (std::string("s") + suffix),
+                                 folder / (std::string(name) + suffix));
+  expect_failure(sir({"table", "--images", ".", "--html", "lcg.CSG"}), "is an input");
+  expect_failure(sir({"table", "--images", ".", "--html", "link/calice.SUP"}), "is an input");
+}
+
 }  // namespace
 }  // namespace sir::test

@@ -97,5 +97,55 @@ TEST_P(FastAndExact, FloatIsWithinItsBounds) {
   EXPECT_GT(tally.unsure, 100);
 }
 
+// The line from P through the solid's middle, in numbers of SC_LOCAL: the exact
+// ends are known there, whatever the placement makes of the digits.
+bool cross(PrimitiveKind kind, const Placement& placement, const glm::dvec3& origin,
+           const glm::dvec3& direction, Span<double>& span) {
+  return intersect_exactly(kind, placement, RayCena<double>{{origin}, {direction}}, 0.0, span);
+}
+
+TEST(IntersectExactly, NumbersFarApartNeitherVanishNorEndTheProgram) {
+  // Powers of two keep the placement exact: -2 to 2 along a diagonal meets the
+  // sphere at 1/sqrt(3) either side of the middle, the cube from 0 to 1.
+  for (const int x : {-480, -220, 0, 220, 480})
+    for (const int y : {-480, -3, 350})
+      for (const int z : {-400, 0, 480}) {
+        const glm::dvec3 size(std::ldexp(1.0, x), std::ldexp(1.0, y), std::ldexp(1.0, z));
+        Span<double> span;
+        ASSERT_TRUE(cross(PrimitiveKind::sphere, test::placed(size, {}), -2.0 * size, size, span))
+            << x << " " << y << " " << z;
+        EXPECT_DOUBLE_EQ(span.enter, 2 - 1 / std::sqrt(3.0));
+        EXPECT_DOUBLE_EQ(span.leave, 2 + 1 / std::sqrt(3.0));
+        ASSERT_TRUE(cross(PrimitiveKind::cube, test::placed(size, {}), -2.0 * size, size, span));
+        EXPECT_DOUBLE_EQ(span.enter, 2);
+        EXPECT_DOUBLE_EQ(span.leave, 3);
+        // Tangent along X: no hit however far apart the numbers lie.
+        EXPECT_FALSE(cross(PrimitiveKind::sphere, test::placed(size, {}),
+                           size * glm::dvec3(-2, 1, 0), size * glm::dvec3(1, 0, 0), span));
+      }
+}
+
+TEST(IntersectExactly, TinySolidsOfGeneralPlacement) {
+  for (const double scale : {1e-66, 1e-80, 1e-100, 1e60, 1e100}) {
+    Placement placement;
+    placement.linear = scale * glm::dmat3(0.3, 0.7, -0.2, 0.1, -0.9, 0.45, 0.77, 0.21, 0.35);
+    Span<double> span;
+    // Along the first column from twice its length: -2 to -1 ... 1.
+    ASSERT_TRUE(cross(PrimitiveKind::sphere, placement, -2.0 * placement.linear[0],
+                      placement.linear[0], span))
+        << scale;
+    EXPECT_NEAR(span.enter, 1, 1e-14);
+    EXPECT_NEAR(span.leave, 3, 1e-14);
+  }
+}
+
+TEST(IntersectExactly, WhatIsNotFiniteMisses) {
+  Span<double> span;
+  const double huge = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(cross(PrimitiveKind::sphere, {}, {huge, 0, 0}, {1, 0, 0}, span));
+  EXPECT_FALSE(cross(PrimitiveKind::sphere, {}, {0, 0, 0}, {0, huge, 0}, span));
+  EXPECT_FALSE(cross(PrimitiveKind::sphere, {}, {0, 0, 0}, {0, 0, 0}, span));
+}
+
 }  // namespace
 }  // namespace sir

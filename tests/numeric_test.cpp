@@ -124,5 +124,19 @@ TEST(Numeric, ScaledNearOneIsExactPowerOfTwo) {
   EXPECT_EQ(scaled_near_one(glm::dvec3(0)), glm::dvec3(0));
 }
 
+TEST(Numeric, RowsOfVeryDifferentSizeAreNotSingular) {
+  for (const double e : {1e-100, 1e-170, 1e-250, 1e170}) {
+    const glm::dmat3 m =
+        columns({1, 1.3 * e, 0.7 * e}, {1.1, -0.9 * e, 0.2 * e}, {0.8, 0.4 * e, 1.9 * e});
+    EXPECT_FALSE(is_singular(m)) << e;
+    Inverse inverse;
+    ASSERT_TRUE(invert(m, inverse)) << e;
+    // A row of the inverse times its column is 1.
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) sum += inverse.entry(0, k) * m[0][k];
+    EXPECT_NEAR(sum, 1, 1e-14) << e;
+  }
+}
+
 }  // namespace
 }  // namespace sir

@@ -25,8 +25,9 @@ struct Rounding<DoubleDouble> {
     if (a.lo == 0 && b.lo == 0) return 0;
     return std::abs(result.hi) * kSum;
   }
-  static double lost(const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& product) {
-    return std::abs(product.hi) < 0x1p-900 && a.hi != 0 && b.hi != 0 ? 0x1p-950 : 0;
+  /// What a product of numbers that are not exactly 0 may lose by being small.
+  static double lost(const DoubleDouble& product) {
+    return std::abs(product.hi) < 0x1p-900 ? 0x1p-950 : 0;
   }
 };
 template <>
@@ -35,16 +36,18 @@ struct Rounding<Wide> {
   static constexpr bool kFinal = true;           ///< what is not told apart here is equal
 
   static double of(const Wide&, const Wide&, const Wide&) { return 0; }
-  static double lost(const Wide&, const Wide&, const Wide&) { return 0; }
+  static double lost(const Wide&) { return 0; }
 };
 
-/// A number and how far from it the true one may lie.
+/// A number and how far from it the true one may lie: nowhere in Wide, but for
+/// quotients and roots, whose errors are far below anything that is asked.
 template <typename S>
 struct Bounded {
   S value{};
   double error = 0;
 
   static Bounded exactly(double x) { return {S{x}, 0}; }
+  bool is_zero() const { return error == 0 && sign_of(value) == 0; }
   double size() const { return std::abs(to_double(value)); }
 
   friend Bounded operator-(const Bounded& a) { return {-a.value, a.error}; }
@@ -58,13 +61,14 @@ struct Bounded {
     Bounded product{a.value * b.value, 0};
     if (a.error > 0 || b.error > 0)
       product.error = (a.size() * b.error + b.size() * a.error + a.error * b.error) * kSlack;
-    product.error += Rounding<S>::of(a.value, b.value, product.value) +
-                     Rounding<S>::lost(a.value, b.value, product.value);
+    product.error += Rounding<S>::of(a.value, b.value, product.value);
+    if (!a.is_zero() && !b.is_zero()) product.error += Rounding<S>::lost(product.value);
     return product;
   }
   /// b must be known not to be zero.
   friend Bounded operator/(const Bounded& a, const Bounded& b) {
     Bounded quotient{a.value / b.value, 0};
+    if constexpr (Rounding<S>::kFinal) return quotient;
     quotient.error = (a.error + quotient.size() * b.error) / (b.size() - b.error) * kSlack +
                      quotient.size() * Rounding<S>::kQuotient;
     return quotient;
@@ -72,6 +76,7 @@ struct Bounded {
   /// a must be known to be positive.
   friend Bounded square_root(const Bounded& a) {
     Bounded root{square_root(a.value), 0};
+    if constexpr (Rounding<S>::kFinal) return root;
     root.error = a.error / root.size() * kSlack + root.size() * Rounding<S>::kQuotient;
     return root;
   }
@@ -94,6 +99,16 @@ class Decisions {
     if (x.error == 0 || x.size() > x.error) return sign_of(x.value);
     doubt();
     return 0;
+  }
+
+  /// Whether the quotient or root b is greater than a. In the last resort what
+  /// agrees in 900 bits is equal.
+  bool after(const Bounded<S>& a, const Bounded<S>& b) {
+    const Bounded<S> gap = b - a;
+    if (sign(gap) <= 0) return false;
+    if constexpr (!Rounding<S>::kFinal) return true;
+    const S size = sign_of(b.value) < 0 ? -b.value : b.value;
+    return sign_of(gap.value - times_power_of_two(size, -900)) > 0;
   }
 
  private:

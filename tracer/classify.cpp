@@ -39,7 +39,13 @@ void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T far
   start_ = start;
   secondary_ = start.leaf != RayStart<T>::kNowhere;
   const T speed = largest(ray.direction.v);
+  if (!(speed > 0) || !std::isfinite(speed)) return;  // no ray in T
   pace_ = std::ldexp(T(1), -std::ilogb(speed));
+  tame_ = std::isnormal(speed) && std::isnormal(pace_);
+  for (int axis = 0; axis < 3; ++axis) {
+    const T d = std::abs(ray.direction.v[axis]);
+    tame_ = tame_ && (d == 0 || d * pace_ > Numeric<T>::kWellAboveUnderflow);
+  }
   start_t_ = secondary_ ? largest(ray.origin.v) / speed : T(0);
 
   if (engine_ == Engine::roth) {
@@ -58,7 +64,9 @@ void Classifier<T>::gather(std::uint32_t index) {
   if (stands_on(leaf) && !start_.inward) return;  // convex: never met again
   Span<T> span;
   const T pace = pace_ * leaf.pace;
-  const Crossing crossing = intersect(leaf.kind, leaf.to_local(ray_, pace), span);
+  const bool tame = tame_ && leaf.tame && std::isnormal(pace);
+  const Crossing crossing =
+      tame ? intersect(leaf.kind, leaf.to_local(ray_, pace), span) : Crossing::unsure;
   if (crossing == Crossing::misses) return;
   const bool exact = crossing == Crossing::unsure;
   if (exact) {
@@ -112,35 +120,48 @@ void Classifier<T>::join_start(std::uint32_t index, Span<T>& span) const {
 }
 
 // Sorts the events, with more digits wherever the order, or what is one event,
-// could depend on rounding. A primitive is sharpened once at most. All pairs that
-// may touch are looked at, not neighbours only: among equal ones who is whose
-// neighbour depends on the shape of the tree, and the digits of t must not.
+// could depend on rounding. A primitive is sharpened once at most. Not neighbours
+// only are compared, but all of a group that may touch: among equal ones who is
+// whose neighbour depends on the shape of the tree, and the digits of t must not.
 template <typename T>
 void Classifier<T>::settle() {
   list_events();
   for (bool settled = false; !settled;) {
     settled = true;
-    const auto sharpen_one = [&](const Event& event) {
-      const Crossed& crossed = spans_[event.crossed];
-      if (crossed.exact) return;
-      sharpen(crossed);
-      settled = false;
-    };
     T most = 0;
     for (const Event& event : events_) most = std::max(most, event.error);
-    for (std::size_t i = 0; i < events_.size(); ++i) {
-      const Event& event = events_[i];
-      if (doubtful(event)) sharpen_one(event);
-      for (std::size_t j = i + 1; j < events_.size(); ++j) {
-        const Event& later = events_[j];
-        if (apart(event, later, event.error + most)) break;
-        if (!doubtful(event, later)) continue;
-        sharpen_one(event);
-        sharpen_one(later);
-      }
+    if (!(most > 0)) return;
+    for (std::size_t first = 0; first < events_.size();) {
+      std::size_t end = first + 1;
+      while (end < events_.size() && !apart(events_[end - 1], events_[end], 2 * most)) ++end;
+      if (sharpen_group(first, end)) settled = false;
+      first = end;
     }
     if (!settled) list_events();
   }
+}
+
+// Sharpens what is in doubt among the events [first, end); true where anything
+// was. In a large group, where faces coincide in numbers, that is everything.
+template <typename T>
+bool Classifier<T>::sharpen_group(std::size_t first, std::size_t end) {
+  constexpr std::size_t kLarge = 16;
+  bool sharpened = false;
+  const auto sharpen_one = [&](const Event& event) {
+    const Crossed& crossed = spans_[event.crossed];
+    if (crossed.exact) return;
+    sharpen(crossed);
+    sharpened = true;
+  };
+  for (std::size_t i = first; i < end; ++i) {
+    if (doubtful(events_[i]) || end - first > kLarge) sharpen_one(events_[i]);
+    for (std::size_t j = i + 1; end - first <= kLarge && j < end; ++j) {
+      if (!doubtful(events_[i], events_[j])) continue;
+      sharpen_one(events_[i]);
+      sharpen_one(events_[j]);
+    }
+  }
+  return sharpened;
 }
 
 template <typename T>
@@ -197,11 +218,13 @@ bool Classifier<T>::doubtful(const Event& a, const Event& b) const {
 template <typename T>
 void Classifier<T>::sharpen(const Crossed& doubted) {
   const std::uint32_t shape = solid_.leaves[doubted.leaf].shape;
+  Span<T> exact;
+  if (cross_exactly(doubted.leaf, exact)) join_start(doubted.leaf, exact);
+  else exact.enter = exact.leave = T(0);  // an empty one is left out
   for (Crossed& crossed : spans_) {
     if (crossed.exact || solid_.leaves[crossed.leaf].shape != shape) continue;
     crossed.exact = true;
-    // What was certain stays so: it crosses.
-    if (cross_exactly(crossed.leaf, crossed.span)) join_start(crossed.leaf, crossed.span);
+    crossed.span = exact;
   }
 }
 

@@ -101,6 +101,7 @@ class Classifier {
   bool apart(const Event& a, const Event& b, T error) const;
   bool doubtful(const Event& a, const Event& b) const;
   void sharpen(const Crossed& doubted);
+  bool sharpen_group(std::size_t first, std::size_t end);
   bool toggle(Crossed& crossed);
   bool reportable(T t) const { return secondary_ ? t > 0 : t >= 0; }
   Boundary<T> boundary_of(const Event& event, bool entering) const;
@@ -118,8 +119,9 @@ class Classifier {
   Fusing fusing_;
   RayCena<T> ray_;
   RayStart<T> start_;
-  T pace_ = 1;     // a power of two that brings the direction near 1
-  T start_t_ = 0;  // secondary rays: the t that is worth the origin's coordinates
+  bool tame_ = true;  // no component of the direction is lost to underflow
+  T pace_ = 1;        // a power of two that brings the direction near 1
+  T start_t_ = 0;     // secondary rays: the t that is worth the origin's coordinates
   std::vector<Crossed> spans_;
   std::vector<Event> events_;
   std::uint64_t exact_intersections_ = 0;

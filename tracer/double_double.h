@@ -67,6 +67,9 @@ inline DoubleDouble square_root(DoubleDouble a) {
 }
 
 inline double to_double(DoubleDouble a) { return a.hi + a.lo; }
+inline DoubleDouble times_power_of_two(DoubleDouble a, int exponent) {
+  return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)};
+}
 inline int sign_of(DoubleDouble a) { return (a.hi > 0) - (a.hi < 0); }
 
 }  // namespace sir

@@ -11,7 +11,8 @@
 namespace sir {
 
 /// Collects up to kParts/4 products of three numbers exactly, as a sum of
-/// doubles that do not overlap. Neither overflow nor underflow may occur.
+/// doubles that do not overlap. Exact while no product
+/// overflows and none but zeros sinks below 2^-960.
 class ExactSum {
  public:
   void add(double term) {

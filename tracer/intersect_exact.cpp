@@ -1,6 +1,7 @@
 #include "tracer/intersect_exact.h"
 
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "tracer/bounded.h"
@@ -14,43 +15,47 @@ using Number = Bounded<S>;
 template <typename S>
 using Triple = std::array<Number<S>, 3>;
 
-// The problem in numbers near 1, where these fit: matrix and way from the solid's
-// origin are scaled by one power of two, the direction by another.
-struct Scaled {
-  std::array<std::array<double, 3>, 3> column;  // of the matrix
-  std::array<DoubleDouble, 3> way;              // exactly
-  std::array<double, 3> direction;
-  int t_exponent;  // t = 2^t_exponent times the scaled problem's
-
-  bool finite() const {
-    bool all = true;
-    for (std::size_t i = 0; i < 3; ++i)
-      all = all && std::isfinite(way[i].hi) && std::isfinite(direction[i]);
-    return all;
-  }
+// The problem, and the powers of two that bring it near 1: one for the matrix and
+// the way from the solid's origin, another for the direction.
+struct Problem {
+  const Placement& placement;
+  glm::dvec3 origin, direction;
+  int size, speed;
+  int t_exponent() const { return size - speed; }
 };
 
 int exponent_of_largest(const glm::dvec3& v) {
-  return std::ilogb(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return largest > 0 ? std::ilogb(largest) : std::numeric_limits<int>::min() / 2;
 }
 
-Scaled scaled(const Placement& placement, const glm::dvec3& origin, const glm::dvec3& direction,
-              int size, int speed) {
-  Scaled result{};
-  for (int r = 0; r < 3; ++r) {
-    const auto at = static_cast<std::size_t>(r);
-    for (int c = 0; c < 3; ++c)
-      result.column[static_cast<std::size_t>(c)][at] = std::ldexp(placement.linear[c][r], -size);
-    const DoubleDouble way = two_sum(origin[r], -placement.translation[r]);
-    result.way[at] = {std::ldexp(way.hi, -size), std::ldexp(way.lo, -size)};
-    result.direction[at] = std::ldexp(direction[r], -speed);
-  }
-  result.t_exponent = size - speed;
-  return result;
+bool finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-Number<DoubleDouble> exactly(const DoubleDouble& x, DoubleDouble) { return {x, 0}; }
-Number<Wide> exactly(const DoubleDouble& x, Wide) { return {Wide(x.hi) + Wide(x.lo), 0}; }
+// x times 2^exponent without error; false where it does not fit.
+bool scale(double x, int exponent, Number<DoubleDouble>& result) {
+  const double scaled = std::ldexp(x, exponent);
+  result = Number<DoubleDouble>::exactly(scaled);
+  return std::isfinite(scaled) && std::ldexp(scaled, -exponent) == x;
+}
+bool scale(double x, int exponent, Number<Wide>& result) {
+  result = {times_power_of_two(Wide(x), exponent), 0};
+  return true;
+}
+
+// a - b times 2^exponent, likewise.
+bool scaled_difference(double a, double b, int exponent, Number<DoubleDouble>& result) {
+  const DoubleDouble way = two_sum(a, -b);
+  Number<DoubleDouble> high, low;
+  const bool fits = scale(way.hi, exponent, high) && scale(way.lo, exponent, low);
+  result = {{high.value.hi, low.value.hi}, 0};
+  return fits;
+}
+bool scaled_difference(double a, double b, int exponent, Number<Wide>& result) {
+  result = {times_power_of_two(Wide(a) - Wide(b), exponent), 0};
+  return true;
+}
 
 template <typename S>
 Number<S> dot(const Triple<S>& a, const Triple<S>& b) {
@@ -67,14 +72,20 @@ struct End {
 template <typename S>
 class ExactIntersection {
  public:
-  ExactIntersection(PrimitiveKind kind, const Scaled& problem) : kind_(kind) {
+  ExactIntersection(PrimitiveKind kind, const Problem& problem) : kind_(kind) {
     std::array<Triple<S>, 3> column;
     Triple<S> way, direction;
-    for (std::size_t r = 0; r < 3; ++r) {
-      for (std::size_t c = 0; c < 3; ++c) column[c][r] = Number<S>::exactly(problem.column[c][r]);
-      way[r] = exactly(problem.way[r], S{});
-      direction[r] = Number<S>::exactly(problem.direction[r]);
+    bool fits = true;
+    for (int r = 0; r < 3; ++r) {
+      const auto at = static_cast<std::size_t>(r);
+      for (int c = 0; c < 3; ++c)
+        fits &= scale(problem.placement.linear[c][r], -problem.size,
+                      column[static_cast<std::size_t>(c)][at]);
+      fits &= scaled_difference(problem.origin[r], problem.placement.translation[r], -problem.size,
+                                way[at]);
+      fits &= scale(problem.direction[r], -problem.speed, direction[at]);
     }
+    if (!fits) decide_.doubt();
     std::array<Triple<S>, 3> row;  // of the adjugate
     for (std::size_t i = 0; i < 3; ++i) {
       const Triple<S>& a = column[(i + 1) % 3];
@@ -103,12 +114,12 @@ class ExactIntersection {
     if (!candidates() || !certain()) return false;
     const std::size_t enter = latest(enters_, enter_count_, 1);
     const std::size_t leave = latest(leaves_, leave_count_, -1);
-    if (decide_.sign(leaves_[leave].t - enters_[enter].t) <= 0) return false;
+    if (!decide_.after(enters_[enter].t, leaves_[leave].t)) return false;
     span = {};
     span.enter = rounded<T>(enters_[enter].t, t_exponent);
     span.leave = rounded<T>(leaves_[leave].t, t_exponent);
-    span.enter_face = lowest<T>(enters_, enter_count_, t_exponent, span.enter);
-    span.leave_face = lowest<T>(leaves_, leave_count_, t_exponent, span.leave);
+    span.enter_face = lowest<T>(enters_, enter_count_, enter, t_exponent, span.enter);
+    span.leave_face = lowest<T>(leaves_, leave_count_, leave, t_exponent, span.leave);
     return certain();
   }
 
@@ -140,10 +151,9 @@ class ExactIntersection {
   std::pair<Number<S>, Number<S>> roots(const Number<S>& a, const Number<S>& b, const Number<S>& c,
                                         const Number<S>& root) {
     // The sum that does not cancel; where b is all but 0 either will do.
-    const Number<S> q = to_double(b.value) > 0 ? -(b + root) : root - b;
+    const Number<S> q = sign_of(b.value) > 0 ? -(b + root) : root - b;
     const Number<S> one = q / a, other = c / q;
-    return to_double(one.value) < to_double(other.value) ? std::pair{one, other}
-                                                         : std::pair{other, one};
+    return sign_of(one.value - other.value) < 0 ? std::pair{one, other} : std::pair{other, one};
   }
 
   bool between_roots(const Number<S>& a, const Number<S>& b, const Number<S>& c,
@@ -229,14 +239,15 @@ class ExactIntersection {
     // Digits enough to round from, and no doubt about an exact 0.
     if (t.error > std::max(0x1p-56 * t.size(), resolution_) && decide_.sign(t) != 0)
       decide_.doubt();
-    return static_cast<T>(std::ldexp(to_double(t.value), exponent));
+    return static_cast<T>(to_double(times_power_of_two(t.value, exponent)));
   }
 
   template <typename T>
-  std::uint8_t lowest(const std::array<End<S>, 4>& ends, std::size_t count, int exponent, T at) {
-    std::uint8_t face = 255;
+  std::uint8_t lowest(const std::array<End<S>, 4>& ends, std::size_t count, std::size_t named,
+                      int exponent, T at) {
+    std::uint8_t face = ends[named].face;
     for (std::size_t i = 0; i < count; ++i) {
-      const T t = static_cast<T>(std::ldexp(to_double(ends[i].t.value), exponent));
+      const T t = static_cast<T>(to_double(times_power_of_two(ends[i].t.value, exponent)));
       if (Numeric<T>::same_event(std::min(t, at), std::max(t, at)))
         face = std::min(face, ends[i].face);
     }
@@ -257,20 +268,18 @@ class ExactIntersection {
 template <typename T>
 bool intersect_exactly(PrimitiveKind kind, const Placement& placement, const RayCena<T>& ray,
                        T resolution, Span<T>& span) {
-  const glm::dvec3 origin(ray.origin.v), direction(ray.direction.v);
   const auto& m = placement.linear;
-  const int size =
-      std::max({exponent_of_largest(m[0]), exponent_of_largest(m[1]), exponent_of_largest(m[2])});
-  const Scaled problem = scaled(placement, origin, direction, size, exponent_of_largest(direction));
-  if (problem.finite()) {
-    ExactIntersection<DoubleDouble> usual(kind, problem);
-    const bool crosses = usual.run(problem.t_exponent, resolution, span);
-    if (usual.certain()) return crosses;
-  }
-  const Scaled as_given = scaled(placement, origin, direction, 0, 0);
-  if (!as_given.finite()) return false;
-  ExactIntersection<Wide> last(kind, as_given);
-  return last.run(as_given.t_exponent, resolution, span);
+  const Problem problem{
+      placement, glm::dvec3(ray.origin.v), glm::dvec3(ray.direction.v),
+      std::max({exponent_of_largest(m[0]), exponent_of_largest(m[1]), exponent_of_largest(m[2])}),
+      exponent_of_largest(glm::dvec3(ray.direction.v))};
+  if (!finite(problem.origin) || !finite(problem.direction) || problem.direction == glm::dvec3(0))
+    return false;
+  ExactIntersection<DoubleDouble> usual(kind, problem);
+  const bool crosses = usual.run(problem.t_exponent(), resolution, span);
+  if (usual.certain()) return crosses;
+  ExactIntersection<Wide> last(kind, problem);
+  return last.run(problem.t_exponent(), resolution, span);
 }
 
 template bool intersect_exactly(PrimitiveKind, const Placement&, const RayCena<float>&, float,

@@ -16,7 +16,7 @@ namespace sir {
 /// digits of double, and where these do not decide either (an exact tangent) in
 /// Wide. Ends need not be better than `resolution` in t: 0 for what was said,
 /// more for a ray whose start is known no better. The placement must not be
-/// singular; a ray that is not finite misses.
+/// singular; a ray that is not finite, or has no direction, misses.
 template <typename T>
 bool intersect_exactly(PrimitiveKind kind, const Placement& placement, const RayCena<T>& ray,
                        T resolution, Span<T>& span);

@@ -8,23 +8,30 @@
 namespace sir {
 namespace {
 
-// A matrix, its columns scaled by powers of two to near 1 so that products of
-// three entries neither overflow nor underflow.
-struct ScaledColumns {
-  glm::dmat3 m{0.0};
-  int exponent[3] = {};  // column c is m[c] times 2^exponent[c]
+// A matrix with rows and columns scaled by powers of two to near 1, so that
+// products of three entries neither overflow nor underflow.
+struct Balanced {
+  glm::dmat3 m{0.0};  // m[c][r] times 2^(row[r] + column[c]) is the entry
+  int row[3] = {}, column[3] = {};
 };
 
-std::optional<ScaledColumns> scaled_columns(const glm::dmat3& m) {
-  ScaledColumns scaled;
-  for (int c = 0; c < 3; ++c) {
-    double largest = 0;
-    for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(m[c][r]));
+std::optional<Balanced> balanced(const glm::dmat3& m) {
+  Balanced result;
+  result.m = m;
+  for (int r = 0; r < 3; ++r) {
+    const double largest = std::max({std::abs(m[0][r]), std::abs(m[1][r]), std::abs(m[2][r])});
     if (largest == 0) return std::nullopt;
-    scaled.exponent[c] = std::ilogb(largest);
-    for (int r = 0; r < 3; ++r) scaled.m[c][r] = std::ldexp(m[c][r], -scaled.exponent[c]);
+    result.row[r] = std::ilogb(largest);
+    for (int c = 0; c < 3; ++c) result.m[c][r] = std::ldexp(m[c][r], -result.row[r]);
   }
-  return scaled;
+  for (int c = 0; c < 3; ++c) {
+    const glm::dvec3& v = result.m[c];
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest == 0) return std::nullopt;
+    result.column[c] = std::ilogb(largest);
+    for (int r = 0; r < 3; ++r) result.m[c][r] = std::ldexp(v[r], -result.column[c]);
+  }
+  return result;
 }
 
 ExactSum determinant(const glm::dmat3& a) {
@@ -67,12 +74,12 @@ glm::dvec3 scaled_near_one(const glm::dvec3& v) {
 }
 
 bool is_singular(const glm::dmat3& m) {
-  const auto scaled = scaled_columns(m);
+  const auto scaled = balanced(m);
   return !scaled || determinant(scaled->m).is_zero();
 }
 
 bool invert(const glm::dmat3& m, Inverse& inverse) {
-  const auto scaled = scaled_columns(m);
+  const auto scaled = balanced(m);
   if (!scaled) return false;
   const ExactSum det = determinant(scaled->m);
   if (det.is_zero()) return false;
@@ -101,9 +108,13 @@ bool invert(const glm::dmat3& m, Inverse& inverse) {
     }
     set_divisor(inverse, row, divisor);
     for (int column = 0; column < 3; ++column) {
+      // The way back: columns of the matrix are rows of the inverse.
       double& entry = inverse.numerators[column][row];
-      entry = std::ldexp(entry, -scaled->exponent[row]);
+      const double balanced_entry = entry;
+      const int exponent = -scaled->column[row] - scaled->row[column];
+      entry = std::ldexp(entry, exponent);
       if (!std::isfinite(entry)) return false;
+      if (std::ldexp(entry, -exponent) != balanced_entry) inverse.exact[row] = false;
     }
   }
   return true;

@@ -34,6 +34,10 @@ struct Numeric {
   /// so that they never hide a hit.
   static constexpr T kBoxRoundings = 64;
 
+  /// Products of two numbers of this size are normal still.
+  static constexpr T kWellAboveUnderflow = std::numeric_limits<T>::max_exponent > 200 ? T(1e-140)
+                                                                                      : T(1e-18f);
+
   /// Distance from |t| to the next larger number.
   static T ulp(T t) {
     const T size = std::abs(t);

@@ -43,6 +43,25 @@ void weigh_roundings(const Inverse& inverse, Leaf<T>& leaf) {
   }
 }
 
+// The pace, and whether the inverse's entries are far enough above underflow.
+template <typename T>
+void set_pace(const Inverse& inverse, Leaf<T>& leaf) {
+  double largest = 0, least = std::numeric_limits<double>::infinity();
+  bool kept = true;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) {
+      const double entry = std::abs(inverse.numerators[column][row]);
+      const T rounded = std::abs(leaf.placement.numerators[column][row]);
+      if (entry == 0) continue;
+      kept = kept && std::isnormal(rounded);
+      largest = std::max(largest, entry);
+      least = std::min(least, entry);
+    }
+  leaf.tame = kept && least > double(Numeric<T>::kWellAboveUnderflow) * largest;
+  if (leaf.tame) leaf.pace = std::ldexp(T(1), -std::ilogb(largest));
+  leaf.tame = leaf.tame && std::isnormal(leaf.pace);
+}
+
 template <typename T>
 Leaf<T> make_leaf(const CsgNode& node,
                   const std::unordered_map<std::int64_t, std::uint32_t>& surface_index) {
@@ -66,11 +85,7 @@ Leaf<T> make_leaf(const CsgNode& node,
   }
   for (std::size_t face = 0; face < static_cast<std::size_t>(face_count(node.kind)); ++face)
     leaf.surfaces[face] = surface_index.at(node.surfaces[face]);
-  T largest = 0;
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row)
-      largest = std::max(largest, std::abs(leaf.placement.numerators[column][row]));
-  leaf.pace = std::ldexp(T(1), -std::ilogb(largest));
+  set_pace(inverse, leaf);
   leaf.node = node.number;
   leaf.kind = node.kind;
   return leaf;

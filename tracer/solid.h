@@ -30,6 +30,8 @@ struct Leaf {
   std::array<std::uint32_t, 6> surfaces{};  ///< index into Scene::surfaces, by face
   T pace = 1;               ///< a power of two: about the size of the primitive's smallest
                             ///< extent, so that directions stay near 1 in SC_LOCAL
+  bool tame = false;        ///< no number of the way to SC_LOCAL is lost to underflow; else rays
+                            ///< are intersected exactly only
   std::uint32_t shape = 0;  ///< the same for primitives of one kind and place
   std::int64_t node = 0;    ///< the node's number in the file
   std::int32_t gate = -1;   ///< the gate that it feeds; -1: it is the whole solid

@@ -11,11 +11,11 @@ namespace sir {
 
 /// A floating-point number of kBits bits (GMP). A discriminant is a sum of
 /// products of twelve of the file's doubles: it is exact as long as these lie
-/// within 2^280 of one another. Quotients and roots are good to kBits bits;
-/// roots of squares are exact.
+/// within 2^600 of one another. Quotients and roots are good to kBits bits;
+/// roots of squares are exact. The exponent has no limit that matters.
 class Wide {
  public:
-  static constexpr unsigned kBits = 4096;
+  static constexpr unsigned kBits = 8192;
 
   Wide(double value = 0) : v_(value, kBits) {}  // NOLINT(google-explicit-constructor)
 
@@ -25,6 +25,14 @@ class Wide {
   friend Wide operator/(const Wide& a, const Wide& b) { return Wide(mpf_class(a.v_ / b.v_)); }
   friend Wide operator-(const Wide& a) { return Wide(mpf_class(-a.v_)); }
   friend Wide square_root(const Wide& a) { return Wide(mpf_class(sqrt(a.v_))); }
+
+  /// value times 2^exponent, exactly.
+  friend Wide times_power_of_two(const Wide& a, int exponent) {
+    mpf_class result(0, kBits);
+    if (exponent >= 0) mpf_mul_2exp(result.get_mpf_t(), a.v_.get_mpf_t(), unsigned(exponent));
+    else mpf_div_2exp(result.get_mpf_t(), a.v_.get_mpf_t(), unsigned(-exponent));
+    return Wide(result);
+  }
 
   /// The nearest double (GMP's own conversion cuts off).
   friend double to_double(const Wide& a) {
