@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cmath>
-#include <utility>
 
 #include "tracer/double_double.h"
 #include "tracer/wide.h"
@@ -32,8 +31,7 @@ struct Rounding<DoubleDouble> {
 };
 template <>
 struct Rounding<Wide> {
-  static constexpr double kQuotient = 0x1p-900;  // far above 2^-4096, and a double
-  static constexpr bool kFinal = true;           ///< what is not told apart here is equal
+  static constexpr bool kFinal = true;  ///< what is not told apart here is equal
 
   static double of(const Wide&, const Wide&, const Wide&) { return 0; }
   static double lost(const Wide&) { return 0; }
@@ -68,16 +66,16 @@ struct Bounded {
   /// b must be known not to be zero.
   friend Bounded operator/(const Bounded& a, const Bounded& b) {
     Bounded quotient{a.value / b.value, 0};
-    if constexpr (Rounding<S>::kFinal) return quotient;
-    quotient.error = (a.error + quotient.size() * b.error) / (b.size() - b.error) * kSlack +
-                     quotient.size() * Rounding<S>::kQuotient;
+    if constexpr (!Rounding<S>::kFinal)
+      quotient.error = (a.error + quotient.size() * b.error) / (b.size() - b.error) * kSlack +
+                       quotient.size() * Rounding<S>::kQuotient;
     return quotient;
   }
   /// a must be known to be positive.
   friend Bounded square_root(const Bounded& a) {
     Bounded root{square_root(a.value), 0};
-    if constexpr (Rounding<S>::kFinal) return root;
-    root.error = a.error / root.size() * kSlack + root.size() * Rounding<S>::kQuotient;
+    if constexpr (!Rounding<S>::kFinal)
+      root.error = a.error / root.size() * kSlack + root.size() * Rounding<S>::kQuotient;
     return root;
   }
 
