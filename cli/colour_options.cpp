@@ -3,7 +3,6 @@
 #include <memory>
 #include <string>
 
-#include "cli/cost_command.h"
 #include "cli/option_values.h"
 #include "cli/paint_command.h"
 
@@ -56,31 +55,6 @@ void add_paint(CLI::App& app, Action& action) {
     if (has_range) options->rules.insert(options->rules.begin(), rule);
     options->input = given_base(options->input);
     action = [options](const Session& session) { return run_paint(*options, session); };
-  });
-}
-
-void add_cost(CLI::App& app, Action& action) {
-  auto* sub = app.add_subcommand("cost", "What each choice of LUT costs in time and gives");
-  const auto options = std::make_shared<CostOptions>();
-  sub->add_option("IMAGE", options->inputs, "BASE (planes) or FILE.png; one or more")->required();
-  quant::HsvGridShape& grid = options->own.grid;
-  const std::vector<CLI::Option*> own{
-      add_number(sub, "--grey-s", grid.grey_s, 0, 1, "a row of your own: median in hsv with this"),
-      add_number(sub, "--grey-v", grid.grey_v, 0, 1, "likewise; see sir lut --help"),
-      add_parsed(sub, "--grid", grid, quant::parse_grid,
-                 {"HxSxV", "HxSxV: 1 to 1024 hues, 2 to 1024 levels of S and V, 2^24 cells"},
-                 "likewise"),
-      sub->add_option("--sample", options->own.sample, "likewise")
-          ->check(CLI::Range(1, 1'000'000'000))
-          ->type_name("N")};
-  sub->add_option("--repeats", options->repeats, "timed runs of each choice (5)")
-      ->check(CLI::Range(1, 1000));
-  add_size(sub, options->size, "size of the planes (640x480)");
-  sub->add_flag("--json", options->json, "print JSON");
-  sub->callback([&action, options, own] {
-    for (const CLI::Option* option : own) options->has_own |= option->count() > 0;
-    for (auto& input : options->inputs) input = given_base(input);
-    action = [options](const Session& session) { return run_cost(*options, session); };
   });
 }
 

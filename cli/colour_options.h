@@ -1,12 +1,11 @@
-// The command lines of `sir paint` and `sir cost`.
+// The command line of `sir paint`.
 #pragma once
 
 #include "cli/add_option.h"
 
 namespace sir::cli {
 
-/// Each adds its subcommand, which leaves its work in `action`.
+/// Adds the subcommand, which leaves its work in `action`.
 void add_paint(CLI::App& app, Action& action);
-void add_cost(CLI::App& app, Action& action);
 
 }  // namespace sir::cli

@@ -1,199 +1,146 @@
 #include "cli/cost_command.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <functional>
-#include <optional>
+#include <cstdio>
 #include <string>
+#include <thread>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "cli/cost/answer.h"
+#include "cli/cost/cost_fields.h"
+#include "cli/cost/cost_html.h"
+#include "cli/cost/cost_text.h"
+#include "cli/cost/measure.h"
+#include "cli/cost/sentences.h"
 #include "cli/image_input.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "quant/metrics.h"
-#include "quant/shown_through.h"
+#include "tracer/atomic_file.h"
 #include "tracer/error.h"
+#include "tracer/scene_file.h"
+#include "tracer/scene_path.h"
 
 namespace sir::cli {
 namespace {
 
-using quant::ChooseOptions;
-using quant::Method;
-using quant::Space;
-using quant::SplitOrder;
+namespace fs = std::filesystem;
 
-struct Choice {
-  std::string name;
-  ChooseOptions options;
-};
+bool has_scene(const fs::path& input) {
+  std::error_code ignored;
+  return !is_png(input) && (fs::exists(with_suffix(input, "CSG"), ignored) ||
+                            fs::exists(with_suffix(input, "csg"), ignored));
+}
 
-using Quality = quant::ImageMetrics;
+// None where it was interrupted.
+class Pricing {
+ public:
+  Pricing(const CostOptions& options, const Session& session, int threads)
+      : options_(options), session_(session), threads_(threads) {}
 
-// A column of the table, and its name in JSON.
-struct Measure {
-  const char* key;
-  const char* title;
-  int places;
-  std::optional<double> (*of)(const Quality&);  // none: the images are equal
-};
-constexpr Measure kMeasures[] = {
-    {"psnr", "PSNR dB", 2, [](const Quality& q) { return q.psnr; }},
-    {"rmse", "rmse", 3, [](const Quality& q) { return std::optional(q.rmse); }},
-    {"de_mean", "dE mean", 2, [](const Quality& q) { return std::optional(q.de_mean); }},
-    {"de_p95", "dE p95", 2, [](const Quality& q) { return std::optional(q.de_p95); }},
-    {"hue_loss", "hues lost", 4, [](const Quality& q) { return std::optional(q.hue_loss); }},
-};
-
-struct Row {
-  Choice choice;
-  std::size_t colours = 0, entries = 0;
-  std::vector<double> ms;  // one for each run
-  Quality quality;
-};
-
-struct ImageRows {
-  std::string name;
-  std::vector<Row> rows;
-};
-
-std::vector<Choice> choices_of(const CostOptions& command) {
-  std::vector<Choice> choices;
-  const ChooseOptions& own = command.own;
-  const auto add = [&choices](const std::string& name, const auto& change) {
-    choices.push_back({name, {}});  // median in hsv by pixels, 36x30x30, limits 0.2, all pixels
-    change(choices.back().options);
-  };
-  for (const auto& [name, space] : {std::pair("rgb", Space::rgb), std::pair("hsv", Space::hsv)}) {
-    add(fmt::format("frequency {}", name), [&, space = space](ChooseOptions& o) {
-      o.method = Method::frequency;
-      o.space = space;
-    });
-    for (const auto& [word, order] :
-         {std::pair("pixels", SplitOrder::pixels), std::pair("breadth", SplitOrder::breadth),
-          std::pair("longest", SplitOrder::longest)})
-      add(fmt::format("median {} --split {}", name, word),
-          [&, space = space, order = order](ChooseOptions& o) {
-            o.space = space;
-            o.split = order;
-          });
+  std::optional<CostImage> operator()(const fs::path& input) const {
+    CostImage image;
+    image.name = input.string();
+    const auto picture = has_scene(input) ? price_scene(input, image)
+                                          : std::optional(load_image(input, options_.size));
+    if (!picture) return std::nullopt;
+    image.size = picture->size;
+    if (wants_lut(options_.only) && !price_lut(*picture, image)) return std::nullopt;
+    if (!image.tracer && !image.lut)
+      throw FileError(input.string(), 0, "has no scene, and --only names the tracer's knobs alone");
+    answer(image);
+    return image;
   }
-  for (const auto& [s, v] : {std::pair(0.0, 0.0), std::pair(0.05, 0.05), std::pair(0.1, 0.1),
-                             std::pair(0.1, 0.2), std::pair(0.2, 0.1), std::pair(0.4, 0.2)})
-    add(fmt::format("median hsv --grey-s {:g} --grey-v {:g}", s, v),
-        [s = s, v = v](ChooseOptions& o) {
-          o.grid.grey_s = s;
-          o.grid.grey_v = v;
-        });
-  for (const std::string grid : {"18x15x15", "72x60x60"})
-    add("median hsv --grid " + grid, [&](ChooseOptions& o) { quant::parse_grid(grid, o.grid); });
-  for (const std::size_t sample : {4u, 16u, 64u})
-    add(fmt::format("median hsv --sample {}", sample),
-        [sample](ChooseOptions& o) { o.sample = sample; });
-  if (command.has_own)
-    add(fmt::format("your own: {}x{}x{}, limits {:g} {:g}, sample {}", own.grid.hues,
-                    own.grid.saturations, own.grid.values, own.grid.grey_s, own.grid.grey_v,
-                    own.sample),
-        [&own](ChooseOptions& o) { o = own; });
-  return choices;
-}
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
+ private:
+  MeasureOptions measuring(Progress& progress) const {
+    return {options_.repeats, threads_, options_.truth_samples, progress.callback(),
+            interruption()};
+  }
 
-// Each round begins with another row: a round is as long as a scheduler's turn, which would
-// otherwise always end in the same row. The first also judges. False where it was interrupted.
-bool run_round(const Planes& image, std::size_t round, std::vector<Row>& rows,
-               const std::function<void()>& done) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Row& row = rows[(round + i) % rows.size()];
-    if (interrupted()) return false;
-    const auto start = std::chrono::steady_clock::now();
-    const auto cells = quant::count_for(image, row.choice.options);
-    const auto lut = quant::choose_from(cells, row.choice.options);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    if (row.ms.empty()) {
-      row.colours = cells.size();
-      row.entries = lut.chosen;
-      row.quality = quant::measure(image, quant::shown_through(image, lut));
+  // The default's picture.
+  std::optional<Planes> price_scene(const fs::path& input, CostImage& image) const {
+    const Scene scene = read_scene(input);
+    const auto settings = tracer_settings(options_.only);
+    Progress progress(session_, "cost of tracing " + input.filename().string());
+    if (!wants_tracer(options_.only)) {
+      auto result =
+          render_setting(scene, settings.front(), options_.size, threads_, interruption());
+      if (!result.complete) return std::nullopt;
+      return std::move(result.planes);
     }
-    row.ms.push_back(took.count());
-    done();
+    auto measured = measure_tracer(scene, options_.size, settings, measuring(progress));
+    if (!measured) return std::nullopt;
+    image.tracer = std::move(measured->part);
+    image.tracer->sentences = tracer_sentences(*image.tracer);
+    image.truth = truth_in_words(options_.truth_samples);
+    return std::move(measured->picture);
   }
-  return true;
-}
 
-std::string as_text(const std::vector<ImageRows>& images) {
-  std::size_t width = 0;
-  for (const Row& row : images.front().rows) width = std::max(width, row.choice.name.size());
-  std::string text;
-  for (const ImageRows& image : images) {
-    text += fmt::format("{}{}\n{:<{}}{:>9}{:>9}{:>9}", text.empty() ? "" : "\n", image.name,
-                        "choice", width, "colours", "entries", "ms");
-    for (const Measure& measure : kMeasures) text += fmt::format("{:>11}", measure.title);
-    for (const Row& row : image.rows) {
-      text += fmt::format("\n{:<{}}{:>9}{:>9}{:>9.3f}", row.choice.name, width, row.colours,
-                          row.entries, median(row.ms));
-      for (const Measure& measure : kMeasures) {
-        const auto value = measure.of(row.quality);
-        text += value ? fmt::format("{:>11.{}f}", *value, measure.places)
-                      : fmt::format("{:>11}", "equal");
-      }
-    }
-    text += "\n";
+  bool price_lut(const Planes& picture, CostImage& image) const {
+    const auto settings =
+        lut_settings(options_.only, options_.has_own ? std::optional(options_.own) : std::nullopt);
+    Progress progress(session_, "cost of a LUT");
+    image.lut = measure_lut(picture, settings, measuring(progress));
+    if (image.lut) image.lut->sentences = lut_sentences(*image.lut);
+    return image.lut.has_value();
   }
-  return text +
-         "\ncolours: occupied cells of the grid; ms: counting and choosing, median of the runs.\n";
-}
 
-std::string as_json(const std::vector<ImageRows>& images) {
-  auto list = nlohmann::ordered_json::array();
-  for (const ImageRows& image : images) {
-    auto rows = nlohmann::ordered_json::array();
-    for (const Row& row : image.rows) {
-      nlohmann::ordered_json json{{"choice", row.choice.name},
-                                  {"colours", row.colours},
-                                  {"entries", row.entries},
-                                  {"ms", median(row.ms)}};
-      for (const Measure& measure : kMeasures) {
-        const auto value = measure.of(row.quality);
-        json[measure.key] = value ? nlohmann::ordered_json(*value) : nullptr;
-      }
-      rows.push_back(json);
-    }
-    list.push_back({{"image", image.name}, {"rows", rows}});
+  void answer(CostImage& image) const {
+    const CostPart& part = image.tracer ? *image.tracer : *image.lut;
+    const CostQuestion& question = options_.question;
+    if (question.budget_ms) image.answers.push_back(within_budget(part, *question.budget_ms));
+    if (question.target_db) image.answers.push_back(at_target(part, *question.target_db));
+    for (CostAnswer& each : image.answers) each.of_tracer = image.tracer.has_value();
   }
-  return nlohmann::ordered_json{{"images", list}}.dump(2) + "\n";
+
+  const CostOptions& options_;
+  const Session& session_;
+  int threads_;
+};
+
+// Says which questions have no answer. Returns whether all have.
+bool all_answered(const CostReport& report) {
+  bool all = true;
+  for (const CostImage& image : report.images)
+    for (const CostAnswer& answer : image.answers) {
+      if (answer.row) continue;
+      all = false;
+      std::fputs(fmt::format("sir: {}: {}\n", image.name, answer.text).c_str(), stderr);
+    }
+  return all;
 }
 
 }  // namespace
 
 int run_cost(const CostOptions& options, const Session& session) {
-  const auto choices = choices_of(options);
-  std::vector<ImageRows> images;
-  Progress progress(session, "cost");
-  const auto show = progress.callback();
-  const double runs = static_cast<double>(options.inputs.size() * choices.size()) * options.repeats;
-  double done = 0;
+  for (const auto& output : {options.csv, options.html})
+    if (output)
+      for (const auto& input : options.inputs) refuse_input_file(*output, input);
+  CostReport report;
+  report.threads = options.threads > 0
+                       ? options.threads
+                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  report.repeats = options.repeats;
+  report.truth_samples = options.truth_samples;
+  const Pricing price(options, session, report.threads);
   for (const auto& input : options.inputs) {
-    const Planes image = load_image(input, options.size);
-    images.push_back({input.string(), {}});
-    for (const Choice& choice : choices) images.back().rows.push_back({choice, 0, 0, {}, {}});
-    for (std::size_t round = 0; round < static_cast<std::size_t>(options.repeats); ++round)
-      if (!run_round(image, round, images.back().rows, [&] {
-            ++done;
-            if (show) show(done / runs);
-          }))
-        return kInterrupted;
+    auto image = price(input);
+    if (!image) return kInterrupted;
+    report.images.push_back(std::move(*image));
   }
-  progress.finish();
-  print(options.json ? as_json(images) : as_text(images));
-  return kDone;
+  if (options.csv) {
+    write_file_atomically(*options.csv, cost_csv(report));
+    note(session, "wrote " + options.csv->string());
+  }
+  if (options.html) {
+    const auto page = cost_html(report);
+    if (!page.missing.empty()) note(session, page.missing);
+    write_file_atomically(*options.html, page.text);
+    note(session, "wrote " + options.html->string());
+  }
+  print(options.json ? cost_json(report) : cost_text(report));
+  return all_answered(report) ? kDone : kThreshold;
 }
 
 }  // namespace sir::cli

@@ -12,6 +12,7 @@
 
 #include "cli/add_option.h"
 #include "cli/colour_options.h"
+#include "cli/cost/cost_options.h"
 #include "cli/export_command.h"
 #include "cli/hsv_command.h"
 #include "cli/lut_command.h"

@@ -1,12 +1,11 @@
 #include "cli/table_command.h"
 
-#include <stdlib.h>
-
 #include <array>
 
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/report_html.h"
+#include "cli/scratch_folder.h"
 #include "cli/table_text.h"
 #include "tracer/atomic_file.h"
 #include "tracer/error.h"
@@ -18,26 +17,6 @@ namespace sir::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A folder of our own that goes away with its content.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "sir-table-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw FileError(name, 0, "cannot be made");
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 fs::path find_images(const std::optional<fs::path>& given) {
   if (given) return *given;
@@ -53,8 +32,8 @@ fs::path find_images(const std::optional<fs::path>& given) {
 
 // The report must not take the place of what it is made from.
 void refuse_inputs(const fs::path& html, const fs::path& base) {
-  for (const char* suffix : {"CSG", "csg", "CAM", "cam", "LUZ", "luz", "SUP", "sup", "R", "r", "G",
-                             "g", "B", "b"})
+  for (const char* suffix :
+       {"CSG", "csg", "CAM", "cam", "LUZ", "luz", "SUP", "sup", "R", "r", "G", "g", "B", "b"})
     refuse_same_file(html, with_suffix(base, suffix));
 }
 

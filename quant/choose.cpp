@@ -12,7 +12,7 @@ namespace sir::quant {
 namespace {
 
 std::unique_ptr<const Grid> grid_of(const ChooseOptions& options) {
-  if (options.space == Space::rgb) return std::make_unique<RgbGrid>();
+  if (options.space == Space::rgb) return std::make_unique<RgbGrid>(options.rgb_bits);
   return std::make_unique<HsvGrid>(options.grid);
 }
 

@@ -19,6 +19,7 @@ struct ChooseOptions {
   Space space = Space::hsv;
   SplitOrder split = SplitOrder::pixels;  ///< of median only
   HsvGridShape grid;                      ///< of the HSV space only
+  int rgb_bits = RgbGrid::kBits;          ///< of the RGB space only: 1 to RgbGrid::kMaxBits
   std::size_t sample = 1;                 ///< every so many-th pixel is counted
 };
 

@@ -24,25 +24,40 @@ void PointSum::add(const GridPoint& point, std::uint64_t times) {
   pixels += times;
 }
 
-std::size_t RgbGrid::size() const { return std::size_t{kLevels} * kLevels * kLevels; }
+RgbGrid::RgbGrid(int bits) : bits_(bits) {
+  if (bits < 1 || bits > kMaxBits) throw std::invalid_argument("an RGB grid of impossible bits");
+}
+
+std::size_t RgbGrid::size() const { return std::size_t{1} << 3 * bits_; }
 
 std::size_t RgbGrid::cell(Rgb8 colour) const {
-  return (std::size_t{colour.r} / 8 * kLevels + colour.g / 8u) * kLevels + colour.b / 8u;
+  const int lost = 8 - bits_;
+  return static_cast<std::size_t>(colour.r) >> lost << 2 * bits_ |
+         static_cast<std::size_t>(colour.g) >> lost << bits_ |
+         static_cast<std::size_t>(colour.b) >> lost;
 }
 
 void RgbGrid::locate(const std::uint8_t* r, const std::uint8_t* g, const std::uint8_t* b,
                      std::span<std::uint32_t> cells) const {
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    cells[i] = (r[i] / 8u * kLevels + g[i] / 8u) * kLevels + b[i] / 8u;
+  const auto locate_all = [&](const int bits) {
+    const int lost = 8 - bits;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      cells[i] = static_cast<std::uint32_t>(r[i]) >> lost << 2 * bits |
+                 static_cast<std::uint32_t>(g[i]) >> lost << bits |
+                 static_cast<std::uint32_t>(b[i]) >> lost;
+  };
+  if (bits_ == kBits) locate_all(kBits);  // inlined with the number known
+  else locate_all(bits_);
 }
 
 GridPoint RgbGrid::point(std::size_t cell) const {
-  const auto number = static_cast<int>(cell);
-  return {number / (kLevels * kLevels), number / kLevels % kLevels, number % kLevels};
+  const std::size_t last = (std::size_t{1} << bits_) - 1;
+  return {static_cast<int>(cell >> 2 * bits_), static_cast<int>(cell >> bits_ & last),
+          static_cast<int>(cell & last)};
 }
 
 Code6 RgbGrid::code(const PointSum& mean) const {
-  const Wide whole = static_cast<Wide>(mean.pixels) * (kLevels - 1);
+  const Wide whole = static_cast<Wide>(mean.pixels) * ((1 << bits_) - 1);
   return {rounded_code(mean.sum[0], whole), rounded_code(mean.sum[1], whole),
           rounded_code(mean.sum[2], whole)};
 }

@@ -53,11 +53,17 @@ class Grid {
   virtual Code6 code(const PointSum& mean) const = 0;
 };
 
-/// 32 x 32 x 32 cells numbered (r * 32 + g) * 32 + b; coordinate i stands for
-/// the primary i / 31. One plane.
+/// Cubes of the colours by the highest bits of their bytes: with the thesis's 5
+/// bits 32 x 32 x 32 cells numbered (r * 32 + g) * 32 + b, coordinate i standing
+/// for the primary i / 31; with another number of bits likewise. One plane.
 class RgbGrid final : public Grid {
  public:
-  static constexpr int kLevels = 32;
+  static constexpr int kBits = 5, kMaxBits = 8;
+  static constexpr int kLevels = 1 << kBits;
+
+  /// Throws std::invalid_argument for other than 1 to kMaxBits bits.
+  explicit RgbGrid(int bits = kBits);
+
   std::size_t size() const override;
   std::size_t cell(Rgb8 colour) const override;
   void locate(const std::uint8_t* r, const std::uint8_t* g, const std::uint8_t* b,
@@ -65,6 +71,9 @@ class RgbGrid final : public Grid {
   GridPoint point(std::size_t cell) const override;
   int plane(const GridPoint&) const override { return 0; }
   Code6 code(const PointSum& mean) const override;
+
+ private:
+  int bits_;
 };
 
 /// What can be chosen about the HSV grid.

@@ -93,6 +93,25 @@ TEST(RgbGrid, DividesBytesByEight) {
   EXPECT_EQ(point_of(grid, {7, 128, 254}), (GridPoint{0, 16, 31}));
 }
 
+TEST(RgbGrid, OfOtherBitsKeepsTheHighestOfEachByte) {
+  for (int bits = 1; bits <= RgbGrid::kMaxBits; ++bits) {
+    const RgbGrid grid(bits);
+    const int levels = 1 << bits, side = 256 / levels;
+    EXPECT_EQ(grid.size(), static_cast<std::size_t>(levels * levels * levels));
+    for (int byte = 0; byte < 256; ++byte) {
+      const auto c = static_cast<std::uint8_t>(byte);
+      const int i = byte / side;
+      EXPECT_EQ(point_of(grid, {c, 0, 255}), (GridPoint{i, 0, levels - 1})) << bits;
+      EXPECT_EQ(point_of(grid, {255, c, 0}), (GridPoint{levels - 1, i, 0})) << bits;
+      EXPECT_EQ(point_of(grid, {0, 255, c}), (GridPoint{0, levels - 1, i})) << bits;
+      const int code = (2 * 63 * i + levels - 1) / (2 * (levels - 1));
+      EXPECT_EQ(code_of_point(grid, {i, 0, 0})[0], code) << bits;
+    }
+  }
+  EXPECT_THROW(RgbGrid(0), std::invalid_argument);
+  EXPECT_THROW(RgbGrid(9), std::invalid_argument);
+}
+
 TEST(RgbGrid, CodesOfCells) {
   const RgbGrid grid;
   for (int i = 0; i < 32; ++i) {
@@ -184,14 +203,17 @@ TEST(HsvGrid, ManyAtATimeEqualsOneByOneInAnyShape) {
 }
 
 TEST(RgbGrid, ManyAtATimeEqualsOneByOne) {
-  const RgbGrid grid;
   std::mt19937 random(3);
   std::array<std::uint8_t, 999> r, g, b;
   for (auto* const plane : {&r, &g, &b})
     for (auto& byte : *plane) byte = static_cast<std::uint8_t>(random() >> 24);
-  std::array<std::uint32_t, 999> cells;
-  grid.locate(r.data(), g.data(), b.data(), cells);
-  for (std::size_t i = 0; i < cells.size(); ++i) ASSERT_EQ(cells[i], grid.cell({r[i], g[i], b[i]}));
+  for (int bits = 1; bits <= RgbGrid::kMaxBits; ++bits) {
+    const RgbGrid grid(bits);
+    std::array<std::uint32_t, 999> cells;
+    grid.locate(r.data(), g.data(), b.data(), cells);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      ASSERT_EQ(cells[i], grid.cell({r[i], g[i], b[i]})) << bits;
+  }
 }
 
 TEST(HsvGrid, LimitsAreExactDecimals) {

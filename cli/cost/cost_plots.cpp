@@ -1,0 +1,172 @@
+#include "cli/cost/cost_plots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace sir::cli {
+namespace {
+
+// Colours that can be told from white and from black, and from one another.
+constexpr const char* kColours[] = {"#2f86a6", "#c2543c", "#6a9a2f", "#a060b8",
+                                    "#c08a1e", "#3f9d86", "#808890", "#c05a8e"};
+
+using RowsOfSeries = std::vector<std::pair<std::string, std::vector<const CostRow*>>>;
+
+std::string string_of(const std::string& text) {
+  std::string word = "\"";
+  for (const char c : text) word += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+  return word + "\"";
+}
+
+std::string head(int width, int height) {
+  return fmt::format(
+      "set terminal svg size {},{} dynamic noenhanced font \"sans-serif,13\"\n"
+      "set encoding utf8\nset grid lc rgb \"#808890\" lw 0.5 dt 3\nset border 3\n"
+      "set tics nomirror\nset key outside right top\n",
+      width, height);
+}
+
+std::string block(const std::string& name, const std::string& lines) {
+  return "$" + name + " << END_OF_DATA\n" + lines + "END_OF_DATA\n";
+}
+
+RowsOfSeries by_knob(const CostPart& part) {
+  RowsOfSeries series;
+  for (const CostRow& row : part.rows) {
+    if (!row.picture.psnr || row.time.median <= 0) continue;
+    const std::string name = row.knob                     ? name_of(*row.knob)
+                             : &row == &part.rows.front() ? "default"
+                                                          : "your own";
+    auto found = std::find_if(series.begin(), series.end(),
+                              [&](const auto& each) { return each.first == name; });
+    if (found == series.end()) found = series.insert(series.end(), {name, {}});
+    found->second.push_back(&row);
+  }
+  return series;
+}
+
+// All rows, and the front as a stair: what is under it is worse than one of its points.
+CostPlot price_plot(const CostPart& part, const std::string& of) {
+  CostPlot plot{"Time and accuracy of " + of,
+                "Each point is a row, its bar the middle half of the runs; the stair is the Pareto "
+                "front, whose rows are named. Rows without any error are not drawn.",
+                head(900, 560)};
+  const RowsOfSeries series = by_knob(part);
+  std::vector<const CostRow*> front;
+  double least = INFINITY, most = 0;
+  std::string curves;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    std::string lines;
+    for (const CostRow* row : series[i].second) {
+      lines += fmt::format("{} {} {} {}\n", row->time.median, *row->picture.psnr, row->time.low,
+                           row->time.high);
+      least = std::min(least, row->time.median);
+      most = std::max(most, row->time.median);
+      if (row->front) front.push_back(row);
+    }
+    plot.script += block(fmt::format("series{}", i), lines);
+    curves += fmt::format(
+        "{}$series{} using 1:2:3:4 with xerrorbars pt 7 ps {} lw 1 lc rgb \"{}\" title {}",
+        i == 0 ? "" : ", ", i, series[i].first == "default" ? 1.1 : 0.6,
+        kColours[i % std::size(kColours)], string_of(series[i].first));
+  }
+  if (series.empty()) return {};
+  std::sort(front.begin(), front.end(),
+            [](const CostRow* a, const CostRow* b) { return a->time.median < b->time.median; });
+  std::string stair;
+  for (const CostRow* row : front)
+    stair += fmt::format("{} {} {}\n", row->time.median, *row->picture.psnr, string_of(row->name));
+  // Above and left of the front nothing is: its names stand there.
+  plot.script += block("front", stair) +
+                 fmt::format(
+                     "set logscale x\nset xrange [{}:{}]\nset offsets 0,0,1,0.5\n"
+                     "set xlabel \"time, ms\"\nset ylabel \"PSNR, dB\"\nplot ",
+                     least / std::max(4.0, std::pow(most / least, 0.35)), most * 1.5) +
+                 "$front using 1:2 with steps lw 1.5 lc rgb \"#808890\" title \"front\", " +
+                 curves +
+                 ", $front using 1:2:3 with labels right offset -0.7,0.45 font \",11\" notitle\n";
+  return plot;
+}
+
+CostPlot depth_plot(const CostPart& part) {
+  std::map<double, const CostRow*> rows;
+  for (const CostRow& row : part.rows)
+    if (row.knob == Knob::depth) rows[row.at] = &row;
+  if (rows.empty()) return {};
+  rows[part.rows.front().at] = &part.rows.front();
+  CostPlot plot{"The depth of the tree of rays",
+                "Left: the time, in the default's. Right: pixels that differ from the truth with "
+                "one ray through each pixel's centre.",
+                head(900, 330)};
+  std::string lines;
+  for (const auto& [depth, row] : rows)
+    lines += fmt::format("{} {} {}\n", depth, row->ratio.median, row->points->pixels);
+  plot.script += block("depth", lines) +
+                 "set nokey\nset xtics 1\nset offsets 0.3,0.3,0,0\nset xlabel \"depth\"\n"
+                 "set multiplot layout 1,2\nset yrange [0:*]\nset ylabel \"time, default's = 1\"\n"
+                 "plot $depth using 1:2 with linespoints pt 7 ps 0.7 lw 2 lc rgb \"#2f86a6\"\n"
+                 "set ylabel \"wrong pixels\"\nset format y \"%.0f\"\n"
+                 "plot $depth using 1:3 with linespoints pt 7 ps 0.7 lw 2 lc rgb \"#c2543c\"\n"
+                 "unset multiplot\n";
+  return plot;
+}
+
+CostPlot antialias_plot(const CostPart& part) {
+  RowsOfSeries series;
+  for (const CostRow& row : part.rows) {
+    if (row.knob != Knob::antialias || !row.picture.psnr) continue;
+    if (series.empty() || series.back().first != row.family) series.push_back({row.family, {}});
+    series.back().second.push_back(&row);
+  }
+  if (series.empty()) return {};
+  CostPlot plot{"Antialiasing",
+                "Adaptive by threshold and random by number of rays, each named beside its point; "
+                "the time is in the default's, of one ray a pixel.",
+                head(900, 420)};
+  std::string curves, names;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    std::string lines;
+    for (const CostRow* row : series[i].second)
+      lines += fmt::format("{} {} {}\n", row->ratio.median, *row->picture.psnr,
+                           string_of(fmt::format("{:g}", row->at)));
+    plot.script += block(fmt::format("series{}", i), lines);
+    curves += fmt::format(
+        "{}$series{} using 1:2 with linespoints pt 7 ps 0.7 lw 2 lc rgb \"{}\" title {}",
+        i == 0 ? "" : ", ", i, kColours[i % std::size(kColours)], string_of(series[i].first));
+    names += fmt::format(", $series{} using 1:2:3 with labels right offset -0.6,0.5 notitle", i);
+  }
+  if (const CostRow& usual = part.rows.front(); usual.picture.psnr) {
+    plot.script += block("usual", fmt::format("1 {}\n", *usual.picture.psnr));
+    curves += ", $usual using 1:2 with points pt 7 ps 1.1 lc rgb \"#808890\" title \"one ray\"";
+  }
+  plot.script +=
+      "set logscale x\nset offsets graph 0.08,graph 0.05,1,0.5\n"
+      "set xlabel \"time, default's = 1\"\nset ylabel \"PSNR, dB\"\nplot " +
+      curves + names + "\n";
+  return plot;
+}
+
+void keep(std::vector<CostPlot>& plots, CostPlot plot) {
+  if (!plot.script.empty()) plots.push_back(std::move(plot));
+}
+
+}  // namespace
+
+std::vector<CostPlot> tracer_plots(const CostPart& part) {
+  std::vector<CostPlot> plots;
+  keep(plots, price_plot(part, "the tracer's settings"));
+  keep(plots, antialias_plot(part));
+  keep(plots, depth_plot(part));
+  return plots;
+}
+
+std::vector<CostPlot> lut_plots(const CostPart& part) {
+  std::vector<CostPlot> plots;
+  keep(plots, price_plot(part, "the LUT's settings"));
+  return plots;
+}
+
+}  // namespace sir::cli
