@@ -13,6 +13,9 @@ namespace {
 constexpr const char* kColours[] = {"#2f86a6", "#c2543c", "#6a9a2f", "#a060b8",
                                     "#c08a1e", "#3f9d86", "#808890", "#c05a8e"};
 
+// Of a name in a plot, in the plot's height.
+constexpr double kNameHeight = 0.03;
+
 using RowsOfSeries = std::vector<std::pair<std::string, std::vector<const CostRow*>>>;
 
 std::string string_of(const std::string& text) {
@@ -50,13 +53,14 @@ RowsOfSeries by_knob(const CostPart& part) {
 
 // All rows, and the front as a stair: what is under it is worse than one of its points.
 CostPlot price_plot(const CostPart& part, const std::string& of) {
-  CostPlot plot{"Time and accuracy of " + of,
-                "Each point is a row, its bar the middle half of the runs; the stair is the Pareto "
-                "front, whose rows are named. Rows without any error are not drawn.",
-                head(900, 560)};
+  CostPlot plot{
+      "Time and accuracy of " + of,
+      "Each point is a row, its bar the middle half of the runs; the stair is the Pareto "
+      "front, whose rows are named where there is room. Rows without any error are not drawn.",
+      head(900, 560)};
   const RowsOfSeries series = by_knob(part);
   std::vector<const CostRow*> front;
-  double least = INFINITY, most = 0;
+  double least = INFINITY, most = 0, worst = INFINITY, best = -INFINITY;
   std::string curves;
   for (std::size_t i = 0; i < series.size(); ++i) {
     std::string lines;
@@ -65,6 +69,8 @@ CostPlot price_plot(const CostPart& part, const std::string& of) {
                            row->time.high);
       least = std::min(least, row->time.median);
       most = std::max(most, row->time.median);
+      worst = std::min(worst, *row->picture.psnr);
+      best = std::max(best, *row->picture.psnr);
       if (row->front) front.push_back(row);
     }
     plot.script += block(fmt::format("series{}", i), lines);
@@ -77,8 +83,13 @@ CostPlot price_plot(const CostPart& part, const std::string& of) {
   std::sort(front.begin(), front.end(),
             [](const CostRow* a, const CostRow* b) { return a->time.median < b->time.median; });
   std::string stair;
-  for (const CostRow* row : front)
-    stair += fmt::format("{} {} {}\n", row->time.median, *row->picture.psnr, string_of(row->name));
+  double last_named = -INFINITY;
+  for (const CostRow* row : front) {
+    const bool room = *row->picture.psnr - last_named > kNameHeight * (best - worst);
+    if (room) last_named = *row->picture.psnr;
+    stair += fmt::format("{} {} {}\n", row->time.median, *row->picture.psnr,
+                         string_of(room ? row->name : ""));
+  }
   // Above and left of the front nothing is: its names stand there.
   plot.script += block("front", stair) +
                  fmt::format(

@@ -109,7 +109,7 @@ class Copy {
  private:
   // False where the document cannot be.
   bool take(const Tag& tag) {
-    if (complete_ || (groups_.empty() && tag.name != "svg")) return false;
+    if (complete_ || (groups_.empty() && (tag.closing || tag.name != "svg"))) return false;
     if (tag.closing) return close(tag);
     if (skipped_ > 0 || !has(kElements, tag.name) || (tag.name == "svg" && !groups_.empty())) {
       skipped_ += !tag.empty;
