@@ -137,8 +137,10 @@ TEST(Shade, PointOnTheContinuationOfASurfaceIsStillShadowed) {
     ASSERT_TRUE(classifier.next(boundary));
     const auto hit = hit_at(model, ray, boundary);
     const VectorCena<double> to_light{cylinder ? glm::dvec3(0, 4, -4.5) : glm::dvec3(0, 2.6, -3)};
-    EXPECT_EQ(light_reaching(model, classifier, hit, to_light, Colour<double>(1)),
-              Colour<double>(0));
+    for (const double clearance : {0.0, 0.1}) {
+      const PointLight<double> light{hit.point + to_light, Colour<double>(1), clearance};
+      EXPECT_EQ(light_reaching(model, classifier, hit, to_light, light), Colour<double>(0));
+    }
   }
 }
 

@@ -20,14 +20,17 @@ Classifier<T>::Classifier(const Solid<T>& solid, Engine engine, Fusing fusing)
     : solid_(solid),
       engine_(engine),
       fusing_(fusing),
+      chain_(2 * Numeric<T>::kCoincidentUlps * Numeric<T>::kEpsilon *
+             static_cast<T>(2 * solid.leaves.size() + 2)),
       stamp_(solid.gates.size(), 0),
       switched_(solid.gates.size(), 0) {
   inputs_.reserve(solid.gates.size());
   for (const Gate& gate : solid.gates) inputs_.push_back(gate.at_rest);
 }
 
+// Makes ready for a ray; false where there is none.
 template <typename T>
-void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T farthest) {
+bool Classifier<T>::set_out(const RayCena<T>& ray, const RayStart<T>& start) {
   // A sweep that was left half-way is undone: outside everything again.
   for (Crossed& crossed : spans_)
     if (crossed.inside) toggle(crossed);
@@ -39,7 +42,7 @@ void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T far
   start_ = start;
   secondary_ = start.leaf != RayStart<T>::kNowhere;
   const T speed = largest(ray.direction.v);
-  if (!(speed > 0) || !std::isfinite(speed)) return;  // no ray in T
+  if (!(speed > 0) || !std::isfinite(speed)) return false;  // no ray in T
   pace_ = std::ldexp(T(1), -std::ilogb(speed));
   tame_ = std::isnormal(speed) && std::isnormal(pace_);
   for (int axis = 0; axis < 3; ++axis) {
@@ -47,30 +50,38 @@ void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T far
     tame_ = tame_ && (d == 0 || d * pace_ > Numeric<T>::kWellAboveUnderflow);
   }
   start_t_ = secondary_ ? largest(ray.origin.v) / speed : T(0);
+  return true;
+}
 
+template <typename T>
+void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T farthest) {
+  if (!set_out(ray, start)) return;
   if (engine_ == Engine::roth) {
     for (std::uint32_t leaf = 0; leaf < solid_.leaves.size(); ++leaf) gather(leaf);
   } else {
-    solid_.hierarchy.for_each_met(BoxProbe<T>(ray), farthest,
-                                  [&](std::uint32_t leaf) { gather(leaf); });
+    solid_.hierarchy.for_each_met(BoxProbe<T>(ray), farthest, [&](std::uint32_t leaf) {
+      gather(leaf);
+      return false;
+    });
   }
   settle();
   if (engine_ == Engine::roth) combine_all();
 }
 
+// True where the primitive is met.
 template <typename T>
-void Classifier<T>::gather(std::uint32_t index) {
+bool Classifier<T>::gather(std::uint32_t index) {
   const Leaf<T>& leaf = solid_.leaves[index];
-  if (stands_on(leaf) && !start_.inward) return;  // convex: never met again
+  if (stands_on(leaf) && !start_.inward) return false;  // convex: never met again
   Span<T> span;
   const T pace = pace_ * leaf.pace;
   const bool tame = tame_ && leaf.tame && std::isnormal(pace);
   const Crossing crossing =
       tame ? intersect(leaf.kind, leaf.to_local(ray_, pace), span) : Crossing::unsure;
-  if (crossing == Crossing::misses) return;
+  if (crossing == Crossing::misses) return false;
   const bool exact = crossing == Crossing::unsure;
   if (exact) {
-    if (!cross_exactly(index, span)) return;
+    if (!cross_exactly(index, span)) return false;
   } else {
     span.enter *= pace;
     span.leave *= pace;
@@ -79,8 +90,9 @@ void Classifier<T>::gather(std::uint32_t index) {
   }
   join_start(index, span);
   // Behind the start without a doubt.
-  if (span.leave < -span.leave_error || !(span.enter < span.leave)) return;
-  spans_.push_back({span, index, false, exact});
+  if (span.leave < -span.leave_error || !(span.enter < span.leave)) return false;
+  spans_.push_back({span, index, false, exact, kNone});
+  return true;
 }
 
 template <typename T>

@@ -69,7 +69,14 @@ class Classifier {
   /// The next boundary in order of t; false when there is none.
   bool next(Boundary<T>& boundary);
 
-  /// Spans found by begin(): intersections with primitives.
+  /// Whether the solid has a boundary strictly between the ray's start and t = 1:
+  /// next() after begin() would say the same, but where it is clear without
+  /// ordering the boundaries, they are not. `clearance`: no primitive that adds to
+  /// the solid is nearer to the point at t = 1, along any axis of SC_CENA; 0 where
+  /// that is not known.
+  bool blocked(const RayCena<T>& ray, const RayStart<T>& start, T clearance);
+
+  /// Spans found by begin() or blocked(): intersections with primitives.
   std::size_t spans() const { return spans_.size(); }
 
   /// How many primitives had to be intersected exactly, since the beginning.
@@ -81,7 +88,9 @@ class Classifier {
     std::uint32_t leaf;
     bool inside;
     bool exact;
+    std::uint32_t sibling;  // blocked(): the one before in its product, or kNone
   };
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   struct Event {
     T t, error;
     std::uint32_t crossed;  // index into spans_
@@ -92,7 +101,12 @@ class Classifier {
   bool stands_on(const Leaf<T>& leaf) const {
     return secondary_ && leaf.shape == solid_.leaves[start_.leaf].shape;
   }
-  void gather(std::uint32_t leaf);
+  bool set_out(const RayCena<T>& ray, const RayStart<T>& start);
+  bool gather(std::uint32_t leaf);
+  enum class Presence : std::uint8_t { absent, present, doubtful };
+  Presence presence();
+  Presence presence_of(const Product& product, std::uint32_t last) const;
+  bool joined(const Crossed& crossed) const;
   bool cross_exactly(std::uint32_t leaf, Span<T>& span);
   void join_start(std::uint32_t leaf, Span<T>& span) const;
   void settle();
@@ -119,11 +133,13 @@ class Classifier {
   Fusing fusing_;
   RayCena<T> ray_;
   RayStart<T> start_;
+  T chain_;           // events of a ray to t = 1 that are one do not reach as far as this
   bool tame_ = true;  // no component of the direction is lost to underflow
   T pace_ = 1;        // a power of two that brings the direction near 1
   T start_t_ = 0;     // secondary rays: the t that is worth the origin's coordinates
   std::vector<Crossed> spans_;
   std::vector<Event> events_;
+  std::vector<std::uint32_t> last_of_, touched_;  // blocked(): by product; the products met
   std::uint64_t exact_intersections_ = 0;
   std::size_t next_event_ = 0;
   bool secondary_ = false;

@@ -22,7 +22,7 @@ class Hierarchy {
   explicit Hierarchy(std::span<const Bounds<T>> boxes);
 
   /// Calls visit(i) for each box i that the ray may meet at t in [0, farthest],
-  /// in an order that depends on the hierarchy only.
+  /// in an order that depends on the hierarchy only, until a visit returns true.
   template <typename Visit>
   void for_each_met(const BoxProbe<T>& probe, T farthest, Visit&& visit) const {
     if (nodes_.empty()) return;
@@ -38,7 +38,7 @@ class Hierarchy {
         continue;
       }
       for (std::uint32_t i = node.first; i < node.first + node.size; ++i)
-        if (node.size == 1 || probe.meets(boxes_[i], farthest)) visit(order_[i]);
+        if ((node.size == 1 || probe.meets(boxes_[i], farthest)) && visit(order_[i])) return;
     }
   }
 

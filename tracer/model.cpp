@@ -1,7 +1,6 @@
 #include "tracer/model.h"
 
 namespace sir {
-
 template <typename T>
 Model<T>::Model(const Scene& scene, const EffectSet& allowed)
     : solid(build_solid<T>(scene)),
@@ -12,6 +11,7 @@ Model<T>::Model(const Scene& scene, const EffectSet& allowed)
   for (const Surface& surface : scene.surfaces) textures.emplace_back(surface);
   for (const Light& light : scene.lighting.lights)
     lights.push_back({{glm::vec<3, T>(light.position)}, Colour<T>(light.intensity)});
+  for (PointLight<T>& light : lights) light.clearance = clearance(solid, light.position);
 }
 
 template struct Model<float>;

@@ -16,6 +16,7 @@ template <typename T>
 struct PointLight {
   PointCena<T> position;
   Colour<T> intensity;
+  T clearance = 0;  ///< no primitive that adds to the solid is nearer, along any axis
 };
 
 /// Everything that tracing reads. Immutable; shared by all threads.

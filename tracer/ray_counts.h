@@ -8,14 +8,16 @@ namespace sir {
 /// Rays cast, by kind, and intersections found.
 struct RayCounts {
   std::uint64_t primary = 0, reflected = 0, refracted = 0, shadow = 0;
-  std::uint64_t spans = 0;  ///< primitives that those rays went through
-  std::uint64_t exact = 0;  ///< intersections that needed more digits than T has
+  std::uint64_t spared = 0;  ///< rays not cast, since they could not change a byte any more
+  std::uint64_t spans = 0;   ///< primitives that those rays went through
+  std::uint64_t exact = 0;   ///< intersections that needed more digits than T has
 
   RayCounts& operator+=(const RayCounts& other) {
     primary += other.primary;
     reflected += other.reflected;
     refracted += other.refracted;
     shadow += other.shadow;
+    spared += other.spared;
     spans += other.spans;
     exact += other.exact;
     return *this;

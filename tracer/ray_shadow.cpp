@@ -4,25 +4,26 @@ namespace sir {
 
 template <typename T>
 Colour<T> light_reaching(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& hit,
-                         VectorCena<T> to_light, const Colour<T>& intensity) {
+                         VectorCena<T> to_light, const PointLight<T>& light) {
   const RayCena<T> ray{hit.point, to_light};
+  if (!model.effects.filter)
+    return classifier.blocked(ray, hit.leaving_on_eye_side(), light.clearance) ? Colour<T>(0)
+                                                                               : light.intensity;
   classifier.begin(ray, hit.leaving_on_eye_side(), T(1));
   T passed = 1;
   Boundary<T> boundary;
   while (classifier.next(boundary) && boundary.t < 1 && !Numeric<T>::same_event(boundary.t, T(1))) {
-    const T kt = model.effects.filter
-                     ? reflectance_at(model, boundary, ray.at(boundary.t)).transmission
-                     : T(0);
+    const T kt = reflectance_at(model, boundary, ray.at(boundary.t)).transmission;
     if (!(kt > 0)) return Colour<T>(0);
     passed *= kt;
   }
-  return intensity * passed;
+  return light.intensity * passed;
 }
 
 template Colour<float> light_reaching(const Model<float>&, Classifier<float>&, const Hit<float>&,
-                                      VectorCena<float>, const Colour<float>&);
+                                      VectorCena<float>, const PointLight<float>&);
 template Colour<double> light_reaching(const Model<double>&, Classifier<double>&,
                                        const Hit<double>&, VectorCena<double>,
-                                       const Colour<double>&);
+                                       const PointLight<double>&);
 
 }  // namespace sir

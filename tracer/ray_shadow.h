@@ -8,9 +8,10 @@ namespace sir {
 /// The light's intensity at the hit: none behind an opaque surface, else times
 /// the kt of every boundary between. `to_light` = light - point, not
 /// normalised, so that the light is at t = 1; a surface that the light lies on
-/// is not between. Without the filter effect any surface is opaque.
+/// is not between. Without the filter effect any surface is opaque, and the ray
+/// is not followed further than to the knowledge that there is one.
 template <typename T>
 Colour<T> light_reaching(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& hit,
-                         VectorCena<T> to_light, const Colour<T>& intensity);
+                         VectorCena<T> to_light, const PointLight<T>& light);
 
 }  // namespace sir

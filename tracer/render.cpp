@@ -36,7 +36,7 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
           const auto ray = model.camera.primary_ray(region.x + i, region.y + j, options.size);
           planes.set(static_cast<std::size_t>(j) * static_cast<std::size_t>(region.width) +
                          static_cast<std::size_t>(i),
-                     to_rgb8(tracer->radiance(ray)));
+                     tracer->pixel(ray));
         }
     };
   };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracer/hit.h"
+#include "tracer/pixel_ledger.h"
 #include "tracer/ray_counts.h"
 
 namespace sir {
@@ -13,8 +14,13 @@ namespace sir {
 /// unit, H = normalize(L+E). A light counts only where N.L > 0. Casts the
 /// shadow rays; `counts.shadow` is raised for each. `log`, if given, receives
 /// the intensity that arrives from each light.
+///
+/// With a ledger the light is entered there times `weight`, its share in the
+/// pixel; once the ledger has decided no shadow ray is cast (`counts.spared`
+/// instead) and the result is too small by what does not matter.
 template <typename T>
 Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& hit,
-                RayCounts& counts, std::vector<glm::dvec3>* log = nullptr);
+                RayCounts& counts, std::vector<glm::dvec3>* log = nullptr,
+                PixelLedger<T>* ledger = nullptr, T weight = 1);
 
 }  // namespace sir

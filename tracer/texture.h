@@ -27,6 +27,10 @@ class Texture {
   /// Without the texture effect always the first.
   const Reflectance<T>& at(TextureUv<T> uv, bool texture_effect) const;
 
+  /// All that it may be; the same twice where it is uniform.
+  const Reflectance<T>& first() const { return first_; }
+  const Reflectance<T>& second() const { return chequer_ ? second_ : first_; }
+
   /// Whether (u,v) matters at all.
   bool uniform() const { return !chequer_; }
 

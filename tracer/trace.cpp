@@ -16,23 +16,41 @@ Coefficients to_double(const Reflectance<T>& k) {
 
 template <typename T>
 Tracer<T>::Tracer(const Model<T>& model, const TraceOptions& options)
-    : model_(model), options_(options), classifier_(model.solid, options.engine) {}
+    : model_(model),
+      options_(options),
+      classifier_(model.solid, options.engine),
+      bound_(model, options) {}
 
 template <typename T>
 Colour<T> Tracer<T>::radiance(const RayCena<T>& primary, TraceLog* log) {
   log_ = log;
+  ledger_.open(false);
+  return follow(primary);
+}
+
+template <typename T>
+Rgb8 Tracer<T>::pixel(const RayCena<T>& primary) {
+  log_ = nullptr;
+  ledger_.open(!model_.effects.exhaustive && bound_.bounded());
+  return to_rgb8(follow(primary));
+}
+
+template <typename T>
+Colour<T> Tracer<T>::follow(const RayCena<T>& primary) {
   stack_.clear();
   ++counts_.primary;
-  if (!cast(primary, {}, T(0), T(1), 1, RayKind::primary, T(1))) return model_.background;
+  if (!cast(primary, {}, T(0), T(1), 1, RayKind::primary, T(1), Colour<T>(0)))
+    return model_.background;
   while (!stack_.empty()) advance();
   return result_;
 }
 
 // Sends a ray and opens the point where it hits; false where it leaves the
-// scene. An index of 0 stands for "not known yet": a ray that may begin inside.
+// scene. `most`: what the ledger expects of it. An index of 0 stands for "not
+// known yet": a ray that may begin inside.
 template <typename T>
 bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T path_weight,
-                     int depth, RayKind kind, T factor) {
+                     int depth, RayKind kind, T factor, const Colour<T>& most) {
   classifier_.begin(ray, start);
   counts_.spans += classifier_.spans();
   Boundary<T> boundary;
@@ -40,6 +58,7 @@ bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T
   const std::size_t log_index = log_ ? log_ray(ray, path_weight, depth, kind, factor) : 0;
   if (!met) {
     if (log_) (*log_)[log_index].colour = glm::dvec3(model_.background);
+    ledger_.settle(most, path_weight * model_.background);
     return false;
   }
   Open open{};
@@ -51,9 +70,13 @@ bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T
   // nothing of it, and its mirrored ray is as unknowing.
   if (index == 0) index = boundary.entering ? T(1) : open.hit.reflectance->index;
   open.index = index;
-  open.colour =
-      shade(model_, classifier_, open.hit, counts_, log_ ? &(*log_)[log_index].lights : nullptr);
+  // The ledger expects what the secondary rays may bring, and in shade() the
+  // lights, before it is asked whether all is decided.
   prepare_secondary(open);
+  ledger_.expect(most_of(open, Secondary::mirror) + most_of(open, Secondary::through));
+  ledger_.settle(most, Colour<T>(0));
+  open.colour = shade(model_, classifier_, open.hit, counts_,
+                      log_ ? &(*log_)[log_index].lights : nullptr, &ledger_, path_weight);
   if (log_) log_hit(open);
   stack_.push_back(open);
   return true;
@@ -117,40 +140,60 @@ bool Tracer<T>::wanted(const Open& open, T weight) const {
   return open.path_weight * weight >= static_cast<T>(options_.cutoff);
 }
 
-// One step of the point on top of the stack: its mirrored ray, its refracted
-// ray, or its completion.
+// The most that the pixel may get from the mirrored or the refracted ray.
+template <typename T>
+Colour<T> Tracer<T>::most_of(const Open& open, Secondary which) const {
+  const T weight = which == Secondary::mirror ? open.mirror_weight : open.through_weight;
+  if (!(weight > 0)) return Colour<T>(0);
+  if (open.depth >= options_.depth_limit) {
+    if (options_.past_limit == PastLimit::zero) return Colour<T>(0);
+    return open.path_weight * weight * model_.background;
+  }
+  if (!wanted(open, weight)) return Colour<T>(0);
+  return open.path_weight * weight * bound_.at(open.depth + 1);
+}
+
+// One step of the point on top of the stack: one of its secondary rays, or its
+// completion. The heavier one goes first: after it the ledger may well be done.
 template <typename T>
 void Tracer<T>::advance() {
   Open& open = stack_.back();
-  if (open.stage == Stage::done) {
-    const Colour<T> colour = open.colour;
+  if (open.asked == 2) {
+    const Colour<T> colour = open.colour + open.mirrored + open.passed;
     if (log_) (*log_)[open.log_index].colour = glm::dvec3(colour);
     stack_.pop_back();
     deliver(colour);
     return;
   }
-  const bool mirror = open.stage == Stage::mirror;
-  open.stage = mirror ? Stage::through : Stage::done;
+  const bool through_first = !log_ && open.through_weight > open.mirror_weight;
+  const bool mirror = (open.asked++ == 0) != through_first;
+  open.turn = mirror ? Secondary::mirror : Secondary::through;
   const T weight = mirror ? open.mirror_weight : open.through_weight;
+  const Colour<T> most = most_of(open, open.turn);
   if (open.depth >= options_.depth_limit) {
     if (options_.past_limit == PastLimit::background && weight > 0)
-      open.colour += weight * model_.background;
+      (mirror ? open.mirrored : open.passed) = weight * model_.background;
+    ledger_.settle(most, most);
     return;
   }
   const bool allowed = mirror ? model_.effects.reflection || weight > 0 : open.has_through;
   if (!allowed || !wanted(open, weight)) return;
+  if (ledger_.decided()) {
+    ++counts_.spared;
+    return;
+  }
   ++(mirror ? counts_.reflected : counts_.refracted);
   const RayCena<T> ray{open.hit.point,
                        mirror ? mirrored(open.hit.incident, open.hit.normal) : open.through};
-  open.awaited_weight = weight;
-  const bool met = cast(ray, mirror ? open.hit.leaving_on_eye_side() : open.hit.leaving_through(),
-                        mirror ? open.index : open.index_beyond, open.path_weight * weight,
-                        open.depth + 1, mirror ? RayKind::reflected : RayKind::refracted, weight);
+  const bool met =
+      cast(ray, mirror ? open.hit.leaving_on_eye_side() : open.hit.leaving_through(),
+           mirror ? open.index : open.index_beyond, open.path_weight * weight, open.depth + 1,
+           mirror ? RayKind::reflected : RayKind::refracted, weight, most);
   // cast() may have moved the stack; where it opened nothing, the top is ours.
   if (!met) deliver(model_.background);
 }
 
-// Adds what a finished secondary ray saw to the point that sent it.
+// Hands what a finished secondary ray saw to the point that sent it.
 template <typename T>
 void Tracer<T>::deliver(Colour<T> colour) {
   if (stack_.empty()) {
@@ -158,7 +201,9 @@ void Tracer<T>::deliver(Colour<T> colour) {
     return;
   }
   Open& parent = stack_.back();
-  if (parent.awaited_weight > 0) parent.colour += parent.awaited_weight * colour;
+  const bool mirror = parent.turn == Secondary::mirror;
+  const T weight = mirror ? parent.mirror_weight : parent.through_weight;
+  if (weight > 0) (mirror ? parent.mirrored : parent.passed) = weight * colour;
 }
 
 template class Tracer<float>;

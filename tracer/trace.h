@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "tracer/hit.h"
+#include "tracer/pixel_ledger.h"
+#include "tracer/radiance_bound.h"
 #include "tracer/ray_counts.h"
 #include "tracer/trace_log.h"
 #include "tracer/trace_options.h"
@@ -19,6 +21,10 @@ class Tracer {
   /// What a primary ray sees. `log`, if given, receives the whole tree.
   Colour<T> radiance(const RayCena<T>& primary, TraceLog* log = nullptr);
 
+  /// to_rgb8(radiance(primary)), without the rays that cannot change a byte of it
+  /// any more (see PixelLedger), unless all effects' rays are asked for.
+  Rgb8 pixel(const RayCena<T>& primary);
+
   RayCounts counts() const {
     RayCounts counts = counts_;
     counts.exact = classifier_.exact_intersections();
@@ -26,27 +32,30 @@ class Tracer {
   }
 
  private:
-  enum class Stage : std::uint8_t { mirror, through, done };
+  enum class Secondary : std::uint8_t { mirror, through };
 
   // A point whose secondary rays are under way. The tree is walked depth
   // first with these on a stack, so that its depth is bounded by memory only.
   struct Open {
     Hit<T> hit;
-    Colour<T> colour;                 // so far
+    Colour<T> colour;                 // its own
+    Colour<T> mirrored, passed;       // what the secondary rays saw, times their weights
     T mirror_weight, through_weight;  // ks (+ kt under total reflection), kt
     VectorCena<T> through;            // refracted direction, if there is one
     bool has_through, total_reflection;
     T index, index_beyond;  // of the medium that the ray came in, and behind the surface
     T path_weight;          // from the pixel to this ray
     int depth;
-    Stage stage;       // what comes next
-    T awaited_weight;  // of the secondary ray that is under way
+    int asked;       // secondary rays that had their turn
+    Secondary turn;  // the one whose turn it is, or was last
     std::size_t log_index;
   };
 
   bool cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T path_weight, int depth,
-            RayKind kind, T factor);
+            RayKind kind, T factor, const Colour<T>& most);
+  Colour<T> follow(const RayCena<T>& primary);
   void prepare_secondary(Open& open) const;
+  Colour<T> most_of(const Open& open, Secondary which) const;
   void advance();
   bool wanted(const Open& open, T weight) const;
   void deliver(Colour<T> colour);
@@ -59,6 +68,8 @@ class Tracer {
   RayCounts counts_;
   std::vector<Open> stack_;
   Colour<T> result_{0};
+  RadianceBound<T> bound_;
+  PixelLedger<T> ledger_;
   TraceLog* log_ = nullptr;
 };
 

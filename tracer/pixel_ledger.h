@@ -1,0 +1,68 @@
+// What is known of a pixel while its tree of rays is under way: rays that cannot
+// change its bytes any more need not be cast (after Hall's adaptive control of
+// the tree, thesis 2.4.2 and 3.3, but without loss).
+#pragma once
+
+#include <algorithm>
+
+#include "tracer/colour.h"
+
+namespace sir {
+
+/// Keeps two sums of intensities, channel by channel: what has come, and the
+/// most that may still come. All contributions are 0 or more, so the pixel's
+/// true intensity lies between the first and both together. The roundings of the
+/// sums here, and of those that make the pixel, are bounded and added on both
+/// sides.
+template <typename T>
+class PixelLedger {
+ public:
+  /// A new pixel: nothing has come yet. Without `sparing` nothing is ever decided.
+  void open(bool sparing) {
+    sparing_ = sparing;
+    come_ = awaited_ = Colour<T>(0);
+    largest_ = 0;
+    entries_ = 0;
+  }
+
+  /// At most `most` more may come.
+  void expect(const Colour<T>& most) {
+    awaited_ += most;
+    enter();
+  }
+
+  /// Of what was expected, `most` is no longer to come: it came as `came`, which
+  /// is no more than that.
+  void settle(const Colour<T>& most, const Colour<T>& came) {
+    awaited_ -= most;
+    come_ += came;
+    enter();
+  }
+
+  /// Whether the bytes are the same whatever still comes.
+  bool decided() const {
+    if (!sparing_) return false;
+    // Each entry rounds two sums; the colours on the tree's way to the pixel
+    // take no more steps than there are entries, of four roundings each.
+    const T slack = 8 * (entries_ + 8) * std::numeric_limits<T>::epsilon() * largest_;
+    for (int channel = 0; channel < 3; ++channel) {
+      const T least = come_[channel] - slack, most = come_[channel] + awaited_[channel] + slack;
+      if (!(to_byte(least) == to_byte(most)) || !(most >= least)) return false;
+    }
+    return true;
+  }
+
+ private:
+  void enter() {
+    ++entries_;
+    for (int channel = 0; channel < 3; ++channel)
+      largest_ = std::max(largest_, come_[channel] + std::abs(awaited_[channel]));
+  }
+
+  Colour<T> come_{0}, awaited_{0};
+  T largest_ = 0;
+  T entries_ = 0;
+  bool sparing_ = false;
+};
+
+}  // namespace sir
