@@ -16,17 +16,29 @@ Camera<T>::Camera(const CameraFile& file)
 }
 
 template <typename T>
-RayObs<T> Camera<T>::primary_ray_obs(int i, int j, ImageSize size) const {
-  const T xp = window_.x * T(2 * i + 1 - size.width) / T(2 * size.width);
-  const T yp = window_.y * T(size.height - 2 * j - 1) / T(2 * size.height);
+RayObs<T> Camera<T>::ray_obs_through(double x, double y, ImageSize size) const {
+  // Both differences are exact where x and y are multiples of 1/64, as those of pixels'
+  // centres and of antialiasing's lattice are.
+  const T xp = window_.x * static_cast<T>(2 * x - size.width) / T(2 * size.width);
+  const T yp = window_.y * static_cast<T>(size.height - 2 * y) / T(2 * size.height);
   if (parallel_) return {{{xp, yp, 0}}, {{0, 0, 1}}};
   return {{{xp, yp, 0}}, {{xp, yp, focal_}}};
 }
 
 template <typename T>
-RayCena<T> Camera<T>::primary_ray(int i, int j, ImageSize size) const {
-  const RayObs<T> ray = primary_ray_obs(i, j, size);
+RayObs<T> Camera<T>::primary_ray_obs(int i, int j, ImageSize size) const {
+  return ray_obs_through(i + 0.5, j + 0.5, size);
+}
+
+template <typename T>
+RayCena<T> Camera<T>::ray_through(double x, double y, ImageSize size) const {
+  const RayObs<T> ray = ray_obs_through(x, y, size);
   return {obs_cena_.apply(ray.origin), obs_cena_.apply(ray.direction)};
+}
+
+template <typename T>
+RayCena<T> Camera<T>::primary_ray(int i, int j, ImageSize size) const {
+  return ray_through(i + 0.5, j + 0.5, size);
 }
 
 template class Camera<float>;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tracer/recentre.h"
+#include "tracer/sample_antialias.h"
 #include "tracer/trace.h"
 
 namespace sir {
@@ -70,6 +71,7 @@ Region region_or_all(const Region& region, ImageSize size) {
 
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::function<void(double)>& progress, std::stop_token stop) {
+  if (options.antialiased()) return render_antialiased(scene, options, progress, stop);
   if (options.precision == Precision::double_)
     return render_in<double>(scene, options, progress, stop);
   const glm::dvec3 offset = offset_for(scene, options.precision);

@@ -2,6 +2,7 @@
 // planes.
 #pragma once
 
+#include "tracer/antialias.h"
 #include "tracer/ray_counts.h"
 #include "tracer/tiles.h"
 #include "tracer/trace_log.h"
@@ -17,6 +18,12 @@ struct RenderOptions {
   int threads = 0;  ///< 0: as many as cores
   Precision precision = Precision::double_;
   TraceOptions trace;
+  AntialiasOptions antialias;
+
+  /// Whether more than one ray a pixel is both wanted and allowed.
+  bool antialiased() const {
+    return antialias.mode != Antialias::none && trace.allowed_effects.antialias;
+  }
 };
 
 /// The region, or the whole image where it is empty. Throws
@@ -26,6 +33,7 @@ Region region_or_all(const Region& region, ImageSize size);
 struct RenderResult {
   Planes planes;  ///< of the region
   RayCounts counts;
+  AntialiasCounts antialias;
   double prepare_seconds = 0;  ///< matrices, envelopes, hierarchy
   double trace_seconds = 0;
   EffectSet effects;     ///< those that ran
@@ -35,7 +43,8 @@ struct RenderResult {
 /// Renders; the planes are the same for any number of threads. `progress`, if
 /// given, is called now and then from any thread, one call at a time, with the
 /// share of the pixels done, in [0,1]. A stop request ends it within a row of a
-/// tile. Throws std::invalid_argument for a region outside the image.
+/// tile. Throws std::invalid_argument for a region outside the image and for options
+/// of antialiasing out of their ranges.
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::function<void(double)>& progress = {}, std::stop_token stop = {});
 
