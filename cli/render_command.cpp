@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "tracer/atomic_file.h"
 #include "tracer/error.h"
+#include "tracer/sample_progressive.h"
 #include "tracer/scene_file.h"
 #include "tracer/scene_path.h"
 #include "viewer/png_file.h"
@@ -43,6 +44,42 @@ nlohmann::ordered_json stats_json(const RenderCommand& command, const Scene& sce
       {"ms", {{"prepare", result.prepare_seconds * 1e3}, {"trace", result.trace_seconds * 1e3}}}};
 }
 
+nlohmann::ordered_json antialias_json(const AntialiasOptions& options,
+                                      const AntialiasCounts& counts) {
+  if (options.mode == Antialias::adaptive)
+    return {{"mode", "adaptive"},
+            {"threshold", options.threshold},
+            {"levels", options.levels},
+            {"points", counts.points},
+            {"divided", counts.divided}};
+  return {{"mode", "random"},
+          {"samples", options.samples},
+          {"seed", options.seed},
+          {"points", counts.points}};
+}
+
+// The picture so far goes to BASE.png; what was shown is left in `stages`.
+RenderResult render_in_stages(const RenderCommand& command, const Scene& scene,
+                              const std::filesystem::path& base, const Session& session,
+                              const std::function<void(double)>& progress,
+                              nlohmann::ordered_json& stages) {
+  stages = nlohmann::ordered_json::array();
+  const auto show = [&](const Planes& picture, const Stage& stage) {
+    viewer::write_rgb_png(with_suffix(base, "png"), picture);
+    detail(session,
+           fmt::format("{}: {}, {:.1f} % of the pixels traced", base.string(),
+                       stage.antialiased    ? "antialiased"
+                       : stage.refined_only ? fmt::format("refined to {0}x{0}", stage.block)
+                                            : fmt::format("all of {0}x{0}", stage.block),
+                       stage.share * 100));
+    stages.push_back({{"block", stage.block},
+                      {"refined_only", stage.refined_only},
+                      {"antialiased", stage.antialiased},
+                      {"share", stage.share}});
+  };
+  return render_progressive(scene, command.options, show, interruption(), progress);
+}
+
 // Links may lead from an output to one of the four files.
 void refuse_inputs(const std::filesystem::path& base, const RenderCommand& command) {
   for (const char* output : {"R", "G", "B", "png"})
@@ -69,7 +106,13 @@ int run_render(const RenderCommand& command, const Session& session) {
   refuse_inputs(base, command);
   if (command.hesitation) refuse_outputs(*command.hesitation, base);
   Progress progress(session, command.base.filename().string());
-  const RenderResult result = render(scene, command.options, progress.callback(), interruption());
+  if (command.options.antialias.mode != Antialias::none && !command.options.antialiased())
+    note(session, "not antialiased: --effects does not allow it");
+  nlohmann::ordered_json stages;
+  const RenderResult result =
+      command.progressive
+          ? render_in_stages(command, scene, base, session, progress.callback(), stages)
+          : render(scene, command.options, progress.callback(), interruption());
   progress.finish();
   if (!result.complete) return kInterrupted;
   HesitationMap hesitation;
@@ -84,7 +127,7 @@ int run_render(const RenderCommand& command, const Session& session) {
   std::string written = fmt::format("{0}.R {0}.G {0}.B", base.string());
   if (command.png) {
     const auto png = with_suffix(base, "png");
-    viewer::write_rgb_png(png, result.planes);
+    if (!command.progressive) viewer::write_rgb_png(png, result.planes);  // else it is there
     written += " " + png.string();
   }
   if (command.hesitation) {
@@ -99,6 +142,9 @@ int run_render(const RenderCommand& command, const Session& session) {
   note(session, "wrote " + written);
   if (command.stats) {
     auto json = stats_json(command, scene, result);
+    if (command.options.antialiased())
+      json["antialias"] = antialias_json(command.options.antialias, result.antialias);
+    if (command.progressive) json["stages"] = stages;
     if (command.hesitation) json["hesitation"] = hesitation_json(scene, hesitation);
     print(json.dump() + "\n");
   } else if (command.hesitation) {

@@ -26,6 +26,12 @@ struct AntialiasOptions {
   int levels = 2;      ///< adaptive: how often a square may be divided, 0..kMaxLevels
   int samples = 16;    ///< random: rays a pixel, 1..kMaxSamples
   std::uint64_t seed = 1;  ///< random: of the pattern
+
+  /// Whether each number is within its range.
+  bool valid() const {
+    return threshold >= 0 && threshold <= 255 && levels >= 0 && levels <= kMaxLevels &&
+           samples >= 1 && samples <= kMaxSamples;
+  }
 };
 
 /// What antialiasing cost.

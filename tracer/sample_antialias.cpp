@@ -7,22 +7,9 @@
 #include "tracer/sample_random.h"
 
 namespace sir {
-namespace {
-
-void require_ranges(const AntialiasOptions& options) {
-  const auto within = [](int value, int least, int most) {
-    return value >= least && value <= most;
-  };
-  if (!within(options.threshold, 0, 255) ||
-      !within(options.levels, 0, AntialiasOptions::kMaxLevels) ||
-      !within(options.samples, 1, AntialiasOptions::kMaxSamples))
-    throw std::invalid_argument("an option of antialiasing is out of its range");
-}
-
-}  // namespace
-
 bool antialias(const RenderOptions& options, const SampleSource& source, RenderResult& result) {
-  require_ranges(options.antialias);
+  if (!options.antialias.valid())
+    throw std::invalid_argument("an option of antialiasing is out of its range");
   const Region region = region_or_all(options.region, options.size);
   const auto sample =
       options.antialias.mode == Antialias::adaptive ? sample_adaptive : sample_random;

@@ -151,6 +151,8 @@ class Progressive {
 RenderResult render_progressive(const Scene& scene, const RenderOptions& options,
                                 const ShowStage& show, std::stop_token stop,
                                 const std::function<void(double)>& progress) {
+  if (options.antialiased() && !options.antialias.valid())
+    throw std::invalid_argument("an option of antialiasing is out of its range");
   Progressive work(scene, options, progress, stop);
   if (!work.trace_all(kCoarsest)) return work.finish(false);
   show(work.picture(), {kCoarsest, false, false, work.share()});
