@@ -30,8 +30,15 @@ TEST(Camera, RaysThroughPixelCentresArePrimaryRaysToTheBit) {
   file.normal = {-0.3, -0.41, -0.97};
   file.window = {1.7, 1.3};
   const auto check = [&]<typename T>(const Camera<T>& camera) {
-    for (const ImageSize size : {ImageSize{1, 1}, {1, 9}, {17, 31}, {640, 480}, {1021, 763},
-                                 {4096, 3}, {16384, 16384}, {1 << 28, 1}, {1, (1 << 28) - 1}})
+    for (const ImageSize size : {ImageSize{1, 1},
+                                 {1, 9},
+                                 {17, 31},
+                                 {640, 480},
+                                 {1021, 763},
+                                 {4096, 3},
+                                 {16384, 16384},
+                                 {1 << 28, 1},
+                                 {1, (1 << 28) - 1}})
       for (int n = 0; n <= 40; ++n) {
         const int i = static_cast<int>(std::int64_t{size.width - 1} * n / 40);
         const int j = static_cast<int>(std::int64_t{size.height - 1} * (40 - n) / 40);

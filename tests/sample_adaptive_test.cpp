@@ -79,7 +79,9 @@ TEST(SampleAdaptive, IsWhatItsDefinitionSaysAndTracesEachPointOnce) {
   for (int levels = 0; levels <= 6; ++levels)
     for (const int threshold : {0, 16, 254, 255}) {
       SCOPED_TRACE(testing::Message() << levels << " levels, threshold " << threshold);
-      expect_as_defined(test::shapes, {0, 0, 70, 50}, threshold, levels);
+      // All of its kinds of pixels, without too many points for a set.
+      const Region region = levels <= 3 ? Region{0, 0, 70, 50} : Region{24, 15, 21, 17};
+      expect_as_defined(test::shapes, region, threshold, levels);
     }
   for (int levels = 0; levels <= 3; ++levels)
     for (const int threshold : {0, 100, 200, 250}) {
@@ -160,7 +162,7 @@ TEST(SampleAdaptive, AnEdgeIsCoverageToHalfAFinestSquare) {
 }
 
 TEST(SampleAdaptive, RenderedIsWhatTheSamplesSay) {
-  const Scene scene = test::random_scene(4, 9, false);
+  const Scene scene = test::random_scene(7, 9, false);
   for (const auto precision : {Precision::double_, Precision::float_}) {
     RenderOptions options = adaptive(255, 2);
     options.precision = precision;
@@ -184,7 +186,7 @@ TEST(SampleAdaptive, RenderedIsWhatTheSamplesSay) {
 
 TEST(SampleAdaptive, ThreadsRegionsEnginesAndSparedRaysDoNotShow) {
   std::uint64_t divided = 0;
-  for (const std::uint64_t seed : {1u, 2u, 4u, 6u}) {
+  for (const std::uint64_t seed : {2u, 6u, 7u, 15u}) {
     const Scene scene = test::random_scene(seed, 9, seed % 2 == 0);
     for (const auto precision : {Precision::double_, Precision::float_}) {
       RenderOptions options = adaptive(8, 3);
@@ -217,7 +219,7 @@ TEST(SampleAdaptive, ThreadsRegionsEnginesAndSparedRaysDoNotShow) {
 }
 
 TEST(SampleAdaptive, OnlyWhereItIsAllowed) {
-  const Scene scene = test::random_scene(1, 9, false);
+  const Scene scene = test::random_scene(7, 9, false);
   RenderOptions options = adaptive(16, 2);
   options.trace.allowed_effects.antialias = false;
   const RenderResult result = render(scene, options);
@@ -237,7 +239,7 @@ TEST(SampleAdaptive, RefusesOptionsOutOfRange) {
 }
 
 TEST(SampleAdaptive, ProgressRisesToOneAndAStopEndsIt) {
-  const Scene scene = test::random_scene(1, 9, false);
+  const Scene scene = test::random_scene(7, 9, false);
   double last = 0;
   bool rising = true;
   render(scene, adaptive(0, 3), [&](double done) {

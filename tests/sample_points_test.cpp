@@ -27,7 +27,7 @@ std::vector<ScreenPoint> centres(ImageSize size) {
 
 TEST(PointSampler, PixelCentresGiveThePixels) {
   for (const double away : {0.0, 1e6}) {  // where float moves the origin
-    const Scene scene = test::moved(test::random_scene(5, 9, false), 1, glm::dvec3(away));
+    const Scene scene = test::moved(test::random_scene(7, 9, false), 1, glm::dvec3(away));
     for (const auto precision : {Precision::double_, Precision::float_}) {
       RenderOptions options = small(precision);
       const RenderResult plain = render(scene, options);
@@ -51,13 +51,13 @@ TEST(PointSampler, PixelCentresGiveThePixels) {
 }
 
 TEST(PointSampler, NoPointsAreDoneAtOnce) {
-  PointSampler sampler(test::random_scene(5, 9, false), small(Precision::double_));
+  PointSampler sampler(test::random_scene(7, 9, false), small(Precision::double_));
   EXPECT_TRUE(sampler.trace({}, {}));
   EXPECT_EQ(sampler.counts().primary, 0u);
 }
 
 TEST(PointSampler, ASourceReportsItsShare) {
-  PointSampler sampler(test::random_scene(5, 9, false), small(Precision::double_));
+  PointSampler sampler(test::random_scene(7, 9, false), small(Precision::double_));
   std::vector<double> told;
   const auto source = sampler.source([&](double done) { told.push_back(done); }, {});
   const auto points = centres({53, 41});
@@ -72,7 +72,7 @@ TEST(PointSampler, ASourceReportsItsShare) {
 TEST(PointSampler, AStopTakesEffectWithinAPiece) {
   RenderOptions options = small(Precision::double_);
   options.threads = 1;
-  PointSampler sampler(test::random_scene(5, 9, false), options);
+  PointSampler sampler(test::random_scene(7, 9, false), options);
   const auto points = centres(options.size);
   std::vector<Rgb8> seen(points.size());
   std::stop_source stop;

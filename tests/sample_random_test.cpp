@@ -75,7 +75,9 @@ TEST(SampleRandom, PlacesAreUniform) {
     EXPECT_LT(std::abs(y / pixels), 5 * sigma * std::sqrt(1 / 12.0)) << samples;
     EXPECT_LT(std::abs(xx / pixels - 1 / 12.0), 5 * sigma * std::sqrt(1 / 180.0)) << samples;
     EXPECT_LT(std::abs(yy / pixels - 1 / 12.0), 5 * sigma * std::sqrt(1 / 180.0)) << samples;
-    if (samples == 1) EXPECT_LT(std::abs(xy / pixels), 5 * sigma / 12.0);
+    if (samples == 1) {
+      EXPECT_LT(std::abs(xy / pixels), 5 * sigma / 12.0);
+    }
   }
 }
 
@@ -149,7 +151,7 @@ TEST(SampleRandom, APixelIsTheRoundedMeanOfItsSamples) {
 }
 
 TEST(SampleRandom, OneSampleIsReproducibleAndDiffersBySeed) {
-  const Scene scene = test::random_scene(4, 9, false);
+  const Scene scene = test::random_scene(7, 9, false);
   const RenderResult first = render(scene, scattered(1));
   EXPECT_EQ(first.counts.primary, 60u * 44u);
   EXPECT_TRUE(render(scene, scattered(1)).planes == first.planes);
@@ -157,7 +159,7 @@ TEST(SampleRandom, OneSampleIsReproducibleAndDiffersBySeed) {
 }
 
 TEST(SampleRandom, ThreadsRegionsEnginesAndSparedRaysDoNotShow) {
-  for (const std::uint64_t seed : {1u, 2u, 4u}) {
+  for (const std::uint64_t seed : {2u, 6u, 7u}) {
     const Scene scene = test::random_scene(seed, 9, seed % 2 == 0);
     for (const auto precision : {Precision::double_, Precision::float_}) {
       RenderOptions options = scattered(7, seed);
@@ -186,7 +188,7 @@ TEST(SampleRandom, ThreadsRegionsEnginesAndSparedRaysDoNotShow) {
 }
 
 TEST(SampleRandom, HardSizesAndBadOptions) {
-  const Scene scene = test::random_scene(4, 9, false);
+  const Scene scene = test::random_scene(7, 9, false);
   for (const ImageSize size : {ImageSize{1, 1}, {1, 19}, {19, 1}, {17, 31}}) {
     RenderOptions options = scattered(5);
     options.size = size;
@@ -204,7 +206,7 @@ TEST(SampleRandom, AStopEndsIt) {
   RenderOptions options = scattered(16);
   options.threads = 1;
   const RenderResult stopped = render(
-      test::random_scene(4, 9, false), options, [&](double) { stop.request_stop(); },
+      test::random_scene(7, 9, false), options, [&](double) { stop.request_stop(); },
       stop.get_token());
   EXPECT_FALSE(stopped.complete);
   EXPECT_EQ(stopped.counts.primary, 64u);

@@ -29,6 +29,8 @@ RenderResult render_antialiased(const Scene& scene, const RenderOptions& options
   result.prepare_seconds = seconds(Clock::now() - start);
   const auto traced = Clock::now();
   result.complete = antialias(options, sampler.source(progress, stop), result);
+  // Levels that nothing called for are not reported.
+  if (result.complete && progress) progress(1);
   result.counts = sampler.counts();
   result.trace_seconds = seconds(Clock::now() - traced);
   return result;

@@ -53,6 +53,7 @@ class Progressive {
   bool antialias() {
     RenderResult finished;
     if (!sir::antialias(options_, sampler_.source(progress_, stop_), finished)) return false;
+    if (progress_) progress_(1);
     picture_ = std::move(finished.planes);
     result_.antialias = std::move(finished.antialias);
     return true;
