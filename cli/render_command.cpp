@@ -61,11 +61,11 @@ nlohmann::ordered_json antialias_json(const AntialiasOptions& options,
 // The picture so far goes to BASE.png; what was shown is left in `stages`.
 RenderResult render_in_stages(const RenderCommand& command, const Scene& scene,
                               const std::filesystem::path& base, const Session& session,
-                              const std::function<void(double)>& progress,
-                              nlohmann::ordered_json& stages) {
+                              Progress& progress, nlohmann::ordered_json& stages) {
   stages = nlohmann::ordered_json::array();
   const auto show = [&](const Planes& picture, const Stage& stage) {
     viewer::write_rgb_png(with_suffix(base, "png"), picture);
+    progress.finish();  // the line, until there is more to say
     detail(session,
            fmt::format("{}: {}, {:.1f} % of the pixels traced", base.string(),
                        stage.antialiased    ? "antialiased"
@@ -77,7 +77,7 @@ RenderResult render_in_stages(const RenderCommand& command, const Scene& scene,
                       {"antialiased", stage.antialiased},
                       {"share", stage.share}});
   };
-  return render_progressive(scene, command.options, show, interruption(), progress);
+  return render_progressive(scene, command.options, show, interruption(), progress.callback());
 }
 
 // Links may lead from an output to one of the four files.
@@ -110,9 +110,8 @@ int run_render(const RenderCommand& command, const Session& session) {
     note(session, "not antialiased: --effects does not allow it");
   nlohmann::ordered_json stages;
   const RenderResult result =
-      command.progressive
-          ? render_in_stages(command, scene, base, session, progress.callback(), stages)
-          : render(scene, command.options, progress.callback(), interruption());
+      command.progressive ? render_in_stages(command, scene, base, session, progress, stages)
+                          : render(scene, command.options, progress.callback(), interruption());
   progress.finish();
   if (!result.complete) return kInterrupted;
   HesitationMap hesitation;
