@@ -101,6 +101,15 @@ std::string known_effects() {
   return list;
 }
 
+const char* name_of(Precision precision) {
+  switch (precision) {
+    case Precision::float_: return "float";
+    case Precision::double_: return "double";
+    case Precision::long_double: return "long-double";
+  }
+  return "";
+}
+
 std::filesystem::path given_base(const std::filesystem::path& base) {
   const std::string suffix = fold_keyword(base.extension().string());
   std::error_code ignored;

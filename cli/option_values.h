@@ -29,6 +29,9 @@ bool parse_effects(std::string_view text, EffectSet& effects);
 /// The names of the effects, for a help text.
 std::string known_effects();
 
+/// The precision as it is given on the command line.
+const char* name_of(Precision precision);
+
 /// BASE as it was meant: the name of one of the scene's files or planes gives
 /// its base; anything else stays as it is.
 std::filesystem::path given_base(const std::filesystem::path& base);

@@ -34,7 +34,9 @@ using Path = std::filesystem::path;
 
 void add_precision(CLI::App* app, Precision& precision) {
   add_choice(app, "--precision", precision,
-             {{"double", Precision::double_}, {"float", Precision::float_}},
+             {{"double", Precision::double_},
+              {"float", Precision::float_},
+              {"long-double", Precision::long_double}},
              "scalar type of all tracing (double)");
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/hesitation_report.h"
 #include "cli/interrupt.h"
+#include "cli/option_values.h"
 #include "cli/output_path.h"
 #include "cli/progress.h"
 #include "tracer/atomic_file.h"
@@ -28,7 +29,7 @@ nlohmann::ordered_json stats_json(const RenderCommand& command, const Scene& sce
   return {
       {"width", result.planes.size.width},
       {"height", result.planes.size.height},
-      {"precision", command.options.precision == Precision::float_ ? "float" : "double"},
+      {"precision", name_of(command.options.precision)},
       {"nodes", scene.tree.nodes.size()},
       {"primitives", primitives},
       {"lights", scene.lighting.lights.size()},

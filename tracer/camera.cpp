@@ -7,12 +7,14 @@ namespace sir {
 template <typename T>
 Camera<T>::Camera(const CameraFile& file)
     : window_(file.window), focal_(static_cast<T>(file.focal)), parallel_(file.parallel) {
-  const glm::dvec3 n = glm::normalize(scaled_near_one(file.normal));
-  const glm::dvec3 right = glm::normalize(glm::cross(n, scaled_near_one(file.up)));
-  const glm::dmat3 axes(right, glm::cross(right, n), n);
+  using Wider = AtLeastDouble<T>;
+  using Vec = glm::vec<3, Wider>;
+  const Vec n = glm::normalize(Vec(scaled_near_one(file.normal)));
+  const Vec right = glm::normalize(glm::cross(n, Vec(scaled_near_one(file.up))));
+  const glm::mat<3, 3, Wider> axes(right, glm::cross(right, n), n);
   obs_cena_.linear = glm::mat<3, 3, T>(axes);
   obs_cena_.numerators = glm::mat<3, 3, T>(glm::transpose(axes));
-  obs_cena_.translation = glm::vec<3, T>(file.target - file.distance * n);
+  obs_cena_.translation = glm::vec<3, T>(Vec(file.target) - Wider(file.distance) * n);
 }
 
 template <typename T>
@@ -43,5 +45,6 @@ RayCena<T> Camera<T>::primary_ray(int i, int j, ImageSize size) const {
 
 template class Camera<float>;
 template class Camera<double>;
+template class Camera<long double>;
 
 }  // namespace sir

@@ -333,5 +333,6 @@ bool Classifier<T>::precedes(const Boundary<T>& a, const Boundary<T>& b) const {
 
 template class Classifier<float>;
 template class Classifier<double>;
+template class Classifier<long double>;
 
 }  // namespace sir

@@ -162,5 +162,7 @@ bool Classifier<T>::joined(const Crossed& crossed) const {
 
 template bool Classifier<float>::blocked(const RayCena<float>&, const RayStart<float>&, float);
 template bool Classifier<double>::blocked(const RayCena<double>&, const RayStart<double>&, double);
+template bool Classifier<long double>::blocked(const RayCena<long double>&,
+                                               const RayStart<long double>&, long double);
 
 }  // namespace sir

@@ -16,5 +16,6 @@ Model<T>::Model(const Scene& scene, const EffectSet& allowed)
 
 template struct Model<float>;
 template struct Model<double>;
+template struct Model<long double>;
 
 }  // namespace sir

@@ -62,5 +62,6 @@ RadianceBound<T>::RadianceBound(const Model<T>& model, const TraceOptions& optio
 
 template class RadianceBound<float>;
 template class RadianceBound<double>;
+template class RadianceBound<long double>;
 
 }  // namespace sir

@@ -74,12 +74,16 @@ RenderResult render(const Scene& scene, const RenderOptions& options,
   if (options.antialiased()) return render_antialiased(scene, options, progress, stop);
   if (options.precision == Precision::double_)
     return render_in<double>(scene, options, progress, stop);
+  if (options.precision == Precision::long_double)
+    return render_in<long double>(scene, options, progress, stop);
   const glm::dvec3 offset = offset_for(scene, options.precision);
   return render_in<float>(recentred(scene, offset), options, progress, stop);
 }
 
 PixelTrace trace_pixel(const Scene& scene, const RenderOptions& options, int i, int j) {
   if (options.precision == Precision::double_) return trace_pixel_in<double>(scene, options, i, j);
+  if (options.precision == Precision::long_double)
+    return trace_pixel_in<long double>(scene, options, i, j);
   const glm::dvec3 offset = offset_for(scene, options.precision);
   PixelTrace result = trace_pixel_in<float>(recentred(scene, offset), options, i, j);
   for (TraceNode& node : result.log) {

@@ -10,7 +10,11 @@
 
 namespace sir {
 
-enum class Precision : std::uint8_t { float_, double_ };
+/// The scalar type of all tracing. long_double is the compiler's: 80 bits, 64 of
+/// them digits, on x86; where it is the same as double, so are the images. The
+/// files' numbers are doubles, so what coincides in them does by double's measure
+/// (Numeric::kGrain).
+enum class Precision : std::uint8_t { float_, double_, long_double };
 
 struct RenderOptions {
   ImageSize size;

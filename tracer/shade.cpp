@@ -76,5 +76,8 @@ template Colour<float> shade(const Model<float>&, Classifier<float>&, const Hit<
                              std::vector<glm::dvec3>*, PixelLedger<float>*, float);
 template Colour<double> shade(const Model<double>&, Classifier<double>&, const Hit<double>&,
                               RayCounts&, std::vector<glm::dvec3>*, PixelLedger<double>*, double);
+template Colour<long double> shade(const Model<long double>&, Classifier<long double>&,
+                                   const Hit<long double>&, RayCounts&, std::vector<glm::dvec3>*,
+                                   PixelLedger<long double>*, long double);
 
 }  // namespace sir

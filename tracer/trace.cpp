@@ -207,5 +207,6 @@ void Tracer<T>::deliver(Colour<T> colour) {
 
 template class Tracer<float>;
 template class Tracer<double>;
+template class Tracer<long double>;
 
 }  // namespace sir
