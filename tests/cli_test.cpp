@@ -146,6 +146,8 @@ TEST_F(CliTest, StatsAreJson) {
   EXPECT_EQ(stats["height"], 48);
   EXPECT_EQ(stats["rays"]["primary"], 64 * 48);
   EXPECT_EQ(stats["precision"], "double");
+  const Ended wide = sir({"render", "s", "--size", "8x6", "--stats", "--precision", "long-double"});
+  EXPECT_EQ(json::parse(wide.out)["precision"], "long-double");
   EXPECT_EQ(stats["primitives"], 2);
   EXPECT_TRUE(stats["effects"]["reflection"].get<bool>());
 }
