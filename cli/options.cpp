@@ -69,6 +69,10 @@ void add_render(CLI::App& app, Action& action) {
   sub->add_option("BASE", command->base, "BASE.CSG, BASE.CAM, BASE.LUZ, BASE.SUP")->required();
   sub->add_option("--out", command->out, "folder of the outputs (beside BASE)")->type_name("DIR");
   add_tracing(sub, command->options);
+  add_choice(sub, "--formulas", command->options.trace.formulas,
+             {{"robust", Formulas::robust}, {"textbook", Formulas::textbook}},
+             "how primitives are intersected: surely, or as in textbooks, for measuring what "
+             "robustness costs and saves (robust)");
   sub->add_option("--threads", command->options.threads, "threads (as many as cores)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");

@@ -30,6 +30,7 @@ nlohmann::ordered_json stats_json(const RenderCommand& command, const Scene& sce
       {"width", result.planes.size.width},
       {"height", result.planes.size.height},
       {"precision", name_of(command.options.precision)},
+      {"formulas", command.options.trace.formulas == Formulas::robust ? "robust" : "textbook"},
       {"nodes", scene.tree.nodes.size()},
       {"primitives", primitives},
       {"lights", scene.lighting.lights.size()},

@@ -40,7 +40,8 @@ bool Classifier<T>::blocked(const RayCena<T>& ray, const RayStart<T>& start, T c
   if (!set_out(ray, start)) return false;
   const T speed = largest(ray.direction.v);
   const T roundings = Numeric<T>::kBoxRoundings * Numeric<T>::kEpsilon;
-  const bool clear = engine_ == Engine::gates && fusing_.within_ulps && fusing_.nudge == 0 &&
+  const bool clear = engine_ == Engine::gates && solid_.textbook.empty() && fusing_.within_ulps &&
+                     fusing_.nudge == 0 &&
                      chain_ * speed + roundings * (largest(ray.origin.v) + speed) < clearance;
   if (clear) {
     bool met = false;

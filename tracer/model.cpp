@@ -2,8 +2,8 @@
 
 namespace sir {
 template <typename T>
-Model<T>::Model(const Scene& scene, const EffectSet& allowed)
-    : solid(build_solid<T>(scene)),
+Model<T>::Model(const Scene& scene, const EffectSet& allowed, Formulas formulas)
+    : solid(build_solid<T>(scene, formulas)),
       camera(scene.camera),
       background(scene.lighting.background),
       ambient(scene.lighting.ambient),

@@ -164,7 +164,7 @@ Rewritten rewrite(Operation operation, bool complemented) {
 }  // namespace
 
 template <typename T>
-Solid<T> build_solid(const Scene& scene) {
+Solid<T> build_solid(const Scene& scene, Formulas formulas) {
   std::unordered_map<std::int64_t, std::uint32_t> surface_index;
   for (const Surface& surface : scene.surfaces)
     surface_index.emplace(surface.number, static_cast<std::uint32_t>(surface_index.size()));
@@ -230,6 +230,9 @@ Solid<T> build_solid(const Scene& scene) {
   boxes.reserve(solid.leaves.size());
   for (const Leaf<T>& leaf : solid.leaves) boxes.push_back(bounds_of(leaf.kind, leaf.placement));
   solid.hierarchy = Hierarchy<T>(boxes);
+  if (formulas == Formulas::textbook)
+    for (std::size_t leaf = 0; leaf < solid.leaves.size(); ++leaf)
+      solid.textbook.emplace_back(solid.leaves[leaf].kind, solid.placements[leaf]);
   return solid;
 }
 
@@ -250,8 +253,8 @@ T clearance(const Solid<T>& solid, PointCena<T> point) {
 template float clearance(const Solid<float>&, PointCena<float>);
 template double clearance(const Solid<double>&, PointCena<double>);
 template long double clearance(const Solid<long double>&, PointCena<long double>);
-template Solid<float> build_solid(const Scene&);
-template Solid<double> build_solid(const Scene&);
-template Solid<long double> build_solid(const Scene&);
+template Solid<float> build_solid(const Scene&, Formulas);
+template Solid<double> build_solid(const Scene&, Formulas);
+template Solid<long double> build_solid(const Scene&, Formulas);
 
 }  // namespace sir
