@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
-#include "bench/textbook.h"
 #include "bench/timing.h"
 #include "tracer/intersect_exact.h"
+#include "tracer/intersect_textbook.h"
 #include "tracer/solid.h"
 
 namespace {
@@ -65,13 +65,13 @@ void measure(const char* scalar, PrimitiveKind kind, double distance, bool with_
   scene.tree.nodes = {node};
   scene.surfaces.resize(1);
   const Solid<T> solid = build_solid<T>(scene);
-  const bench::TextbookLeaf<T> textbook(kind, node.placement);
+  const TextbookLeaf<T> textbook(kind, node.placement);
   const auto rays = rays_at<T>(node.placement, distance, random);
   const Leaf<T>& leaf = solid.leaves[0];
 
   T sink = 0;
-  const auto plain = [&](const RayCena<T>& ray, T& enter, T& leave) {
-    return bench::intersect_as_in_textbooks(textbook, ray, enter, leave);
+  const auto plain = [&](const RayCena<T>& ray, Span<T>& span) {
+    return intersect_as_in_textbooks(textbook, ray, span);
   };
   const auto bounded = [&](const RayCena<T>& ray, Span<T>& span) {
     return intersect(kind, leaf.to_local(ray, T(1)), span);
@@ -88,11 +88,10 @@ void measure(const char* scalar, PrimitiveKind kind, double distance, bool with_
 
   int wrong_plain = 0, wrong_sure = 0, settled = 0;
   for (const auto& ray : rays) {
-    Span<T> exact{}, span{};
-    T enter = 0, leave = 0;
+    Span<T> exact{}, said{}, span{};
     const bool hit = intersect_exactly(kind, node.placement, ray, T(0), exact);
-    const bool said = plain(ray, enter, leave);
-    wrong_plain += !right(said, enter, leave, hit, exact);
+    const bool says = plain(ray, said);
+    wrong_plain += !right(says, said.enter, said.leave, hit, exact);
     const bool found = sure(ray, span);
     settled += found && span.enter_error == 0;
     wrong_sure += !right(found, span.enter, span.leave, hit, exact);
@@ -104,8 +103,8 @@ void measure(const char* scalar, PrimitiveKind kind, double distance, bool with_
     std::vector<double> plain_ns, bounded_ratio, sure_ratio;
     for (int round = 0; round < kRounds; ++round) {
       const double a = bench::milliseconds([&] {
-        T enter, leave;
-        for (const auto& ray : rays) sink += plain(ray, enter, leave) ? enter : T(0);
+        Span<T> span;
+        for (const auto& ray : rays) sink += plain(ray, span) ? span.enter : T(0);
       });
       const double b = bench::milliseconds([&] {
         Span<T> span;

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <limits>
+#include <vector>
 
 #include "tracer/text_file.h"
 
@@ -42,6 +43,38 @@ bool parse_region(std::string_view text, Region& region) {
   return true;
 }
 
+bool parse_antialias(std::string_view text, AntialiasOptions& options) {
+  AntialiasOptions parsed;
+  std::vector<std::int64_t> numbers;
+  const std::string_view mode = text.substr(0, text.find(':'));
+  for (text.remove_prefix(mode.size()); !text.empty();) {
+    text.remove_prefix(1);  // the colon
+    const std::string_view part = text.substr(0, text.find(':'));
+    if (!parse_count(part, numbers.emplace_back())) return false;
+    text.remove_prefix(part.size());
+  }
+  const auto given = [&](std::size_t which, std::int64_t usual, std::int64_t most) {
+    return which < numbers.size() ? std::min(numbers[which], most + 1) : usual;
+  };
+  constexpr int kMost = std::numeric_limits<int>::max() - 1;
+  if (mode == "none" && numbers.empty()) {
+    parsed.mode = Antialias::none;
+  } else if (mode == "adaptive" && numbers.size() <= 2) {
+    parsed.mode = Antialias::adaptive;
+    parsed.threshold = static_cast<int>(given(0, parsed.threshold, kMost));
+    parsed.levels = static_cast<int>(given(1, parsed.levels, kMost));
+  } else if (mode == "random" && numbers.size() <= 2) {
+    parsed.mode = Antialias::random;
+    parsed.samples = static_cast<int>(given(0, parsed.samples, kMost));
+    if (numbers.size() == 2) parsed.seed = static_cast<std::uint64_t>(numbers[1]);
+  } else {
+    return false;
+  }
+  if (!parsed.valid()) return false;
+  options = parsed;
+  return true;
+}
+
 bool parse_effects(std::string_view text, EffectSet& effects) {
   EffectSet parsed;
   if (text == "auto" || text == "all") {
@@ -66,6 +99,15 @@ std::string known_effects() {
   std::string list;
   for (const std::string& name : EffectSet::names()) list += (list.empty() ? "" : " ") + name;
   return list;
+}
+
+const char* name_of(Precision precision) {
+  switch (precision) {
+    case Precision::float_: return "float";
+    case Precision::double_: return "double";
+    case Precision::long_double: return "long-double";
+  }
+  return "";
 }
 
 std::filesystem::path given_base(const std::filesystem::path& base) {

@@ -19,11 +19,18 @@ bool parse_size(std::string_view text, ImageSize& size);
 /// "X,Y,W,H" with X, Y >= 0 and W, H > 0.
 bool parse_region(std::string_view text, Region& region);
 
+/// "none", "adaptive[:THRESHOLD[:LEVELS]]" or "random[:SAMPLES[:SEED]]"; what is left
+/// out has its default.
+bool parse_antialias(std::string_view text, AntialiasOptions& options);
+
 /// "auto", "all", or the names of effects separated by commas.
 bool parse_effects(std::string_view text, EffectSet& effects);
 
 /// The names of the effects, for a help text.
 std::string known_effects();
+
+/// The precision as it is given on the command line.
+const char* name_of(Precision precision);
 
 /// BASE as it was meant: the name of one of the scene's files or planes gives
 /// its base; anything else stays as it is.

@@ -35,7 +35,9 @@ using Path = std::filesystem::path;
 
 void add_precision(CLI::App* app, Precision& precision) {
   add_choice(app, "--precision", precision,
-             {{"double", Precision::double_}, {"float", Precision::float_}},
+             {{"double", Precision::double_},
+              {"float", Precision::float_},
+              {"long-double", Precision::long_double}},
              "scalar type of all tracing (double)");
 }
 
@@ -68,18 +70,31 @@ void add_render(CLI::App& app, Action& action) {
   sub->add_option("BASE", command->base, "BASE.CSG, BASE.CAM, BASE.LUZ, BASE.SUP")->required();
   sub->add_option("--out", command->out, "folder of the outputs (beside BASE)")->type_name("DIR");
   add_tracing(sub, command->options);
+  add_choice(sub, "--formulas", command->options.trace.formulas,
+             {{"robust", Formulas::robust}, {"textbook", Formulas::textbook}},
+             "how primitives are intersected: surely, or as in textbooks, for measuring what "
+             "robustness costs and saves (robust)");
   sub->add_option("--threads", command->options.threads, "threads (as many as cores)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
   add_parsed(sub, "--region", command->options.region, parse_region,
              {"X,Y,W,H", "X,Y,W,H in pixels, W and H positive"},
              "render this rectangle of the image alone; the outputs hold nothing else");
+  add_parsed(sub, "--antialias", command->options.antialias, parse_antialias,
+             {"none|adaptive[:T[:L]]|random[:N[:SEED]]",
+              "none, adaptive[:THRESHOLD[:LEVELS]] with a threshold of 0 to 255 and 0 to 6 levels, "
+              "or random[:SAMPLES[:SEED]] with 1 to 4096 samples"},
+             "more than one ray a pixel: through its corners, and more where they differ by more "
+             "than T levels of 255, divided L times at most (16:2); or N scattered ones (16:1)");
+  sub->add_flag("--progressive", command->progressive,
+                "coarse to fine: BASE.png is the picture so far, the planes wait for the end");
   sub->add_flag_callback(
       "--no-png", [command] { command->png = false; }, "write the planes only");
   sub->add_flag("--stats", command->stats, "print counts and times as JSON");
   sub->add_option("--hesitation", command->hesitation,
                   "also write the image with the pixels marked whose hits depend on float against "
-                  "double (red) or on the rounding of t (blue; both: yellow), and print the nodes")
+                  "double (red) or on the rounding of t (blue; both: yellow), judged by the ray "
+                  "through their centre, and print the nodes")
       ->type_name("OUT.png");
   sub->callback([&action, command] {
     const Region& r = command->options.region;
@@ -87,6 +102,9 @@ void add_render(CLI::App& app, Action& action) {
     if (r.x + std::int64_t{r.width} > size.width || r.y + std::int64_t{r.height} > size.height)
       throw CLI::ValidationError("--region",
                                  fmt::format("does not lie within {}x{}", size.width, size.height));
+    if (command->progressive && !command->png)
+      throw CLI::ValidationError("--progressive",
+                                 "shows the picture so far in the PNG, which --no-png forbids");
     command->base = given_base(command->base);
     action = [command](const Session& session) { return run_render(*command, session); };
   });

@@ -5,10 +5,12 @@
 
 #include "cli/hesitation_report.h"
 #include "cli/interrupt.h"
+#include "cli/option_values.h"
 #include "cli/output_path.h"
 #include "cli/progress.h"
 #include "tracer/atomic_file.h"
 #include "tracer/error.h"
+#include "tracer/sample_progressive.h"
 #include "tracer/scene_file.h"
 #include "tracer/scene_path.h"
 #include "viewer/png_file.h"
@@ -27,7 +29,8 @@ nlohmann::ordered_json stats_json(const RenderCommand& command, const Scene& sce
   return {
       {"width", result.planes.size.width},
       {"height", result.planes.size.height},
-      {"precision", command.options.precision == Precision::float_ ? "float" : "double"},
+      {"precision", name_of(command.options.precision)},
+      {"formulas", command.options.trace.formulas == Formulas::robust ? "robust" : "textbook"},
       {"nodes", scene.tree.nodes.size()},
       {"primitives", primitives},
       {"lights", scene.lighting.lights.size()},
@@ -41,6 +44,42 @@ nlohmann::ordered_json stats_json(const RenderCommand& command, const Scene& sce
       {"exact_intersections", rays.exact},
       {"effects", effects},
       {"ms", {{"prepare", result.prepare_seconds * 1e3}, {"trace", result.trace_seconds * 1e3}}}};
+}
+
+nlohmann::ordered_json antialias_json(const AntialiasOptions& options,
+                                      const AntialiasCounts& counts) {
+  if (options.mode == Antialias::adaptive)
+    return {{"mode", "adaptive"},
+            {"threshold", options.threshold},
+            {"levels", options.levels},
+            {"points", counts.points},
+            {"divided", counts.divided}};
+  return {{"mode", "random"},
+          {"samples", options.samples},
+          {"seed", options.seed},
+          {"points", counts.points}};
+}
+
+// The picture so far goes to BASE.png; what was shown is left in `stages`.
+RenderResult render_in_stages(const RenderCommand& command, const Scene& scene,
+                              const std::filesystem::path& base, const Session& session,
+                              Progress& progress, nlohmann::ordered_json& stages) {
+  stages = nlohmann::ordered_json::array();
+  const auto show = [&](const Planes& picture, const Stage& stage) {
+    viewer::write_rgb_png(with_suffix(base, "png"), picture);
+    progress.finish();  // the line, until there is more to say
+    detail(session,
+           fmt::format("{}: {}, {:.1f} % of the pixels traced", base.string(),
+                       stage.antialiased    ? "antialiased"
+                       : stage.refined_only ? fmt::format("refined to {0}x{0}", stage.block)
+                                            : fmt::format("all of {0}x{0}", stage.block),
+                       stage.share * 100));
+    stages.push_back({{"block", stage.block},
+                      {"refined_only", stage.refined_only},
+                      {"antialiased", stage.antialiased},
+                      {"share", stage.share}});
+  };
+  return render_progressive(scene, command.options, show, interruption(), progress.callback());
 }
 
 // Links may lead from an output to one of the four files.
@@ -69,7 +108,12 @@ int run_render(const RenderCommand& command, const Session& session) {
   refuse_inputs(base, command);
   if (command.hesitation) refuse_outputs(*command.hesitation, base);
   Progress progress(session, command.base.filename().string());
-  const RenderResult result = render(scene, command.options, progress.callback(), interruption());
+  if (command.options.antialias.mode != Antialias::none && !command.options.antialiased())
+    note(session, "not antialiased: --effects does not allow it");
+  nlohmann::ordered_json stages;
+  const RenderResult result =
+      command.progressive ? render_in_stages(command, scene, base, session, progress, stages)
+                          : render(scene, command.options, progress.callback(), interruption());
   progress.finish();
   if (!result.complete) return kInterrupted;
   HesitationMap hesitation;
@@ -84,7 +128,7 @@ int run_render(const RenderCommand& command, const Session& session) {
   std::string written = fmt::format("{0}.R {0}.G {0}.B", base.string());
   if (command.png) {
     const auto png = with_suffix(base, "png");
-    viewer::write_rgb_png(png, result.planes);
+    if (!command.progressive) viewer::write_rgb_png(png, result.planes);  // else it is there
     written += " " + png.string();
   }
   if (command.hesitation) {
@@ -99,6 +143,9 @@ int run_render(const RenderCommand& command, const Session& session) {
   note(session, "wrote " + written);
   if (command.stats) {
     auto json = stats_json(command, scene, result);
+    if (command.options.antialiased())
+      json["antialias"] = antialias_json(command.options.antialias, result.antialias);
+    if (command.progressive) json["stages"] = stages;
     if (command.hesitation) json["hesitation"] = hesitation_json(scene, hesitation);
     print(json.dump() + "\n");
   } else if (command.hesitation) {

@@ -14,11 +14,13 @@ struct RenderCommand {
   std::optional<std::filesystem::path> out;  ///< folder; without one, beside BASE
   RenderOptions options;
   bool png = true;
+  bool progressive = false;  ///< BASE.png is the picture so far, after each stage
   bool stats = false;
   std::optional<std::filesystem::path> hesitation;  ///< PNG of the hesitating pixels
 };
 
-/// Writes BASE.R, BASE.G, BASE.B and BASE.png; with `hesitation` its picture, and
+/// Writes BASE.R, BASE.G, BASE.B and BASE.png (with `progressive` many times, the last
+/// like the planes); with `hesitation` its picture, and
 /// a table of nodes to standard output; with `stats` a JSON object instead, which
 /// then holds the table. Returns an exit code; throws FileError.
 int run_render(const RenderCommand& command, const Session& session);

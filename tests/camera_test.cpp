@@ -24,6 +24,47 @@ TEST(Camera, CentreOfAnOddImageLooksAtTheTarget) {
   EXPECT_EQ(ray.at(1).v, glm::dvec3(1, 2, 3));
 }
 
+// On sizes of every parity, small, odd, large and lopsided.
+TEST(Camera, RaysThroughPixelCentresArePrimaryRaysToTheBit) {
+  CameraFile file = looking_down_minus_z();
+  file.normal = {-0.3, -0.41, -0.97};
+  file.window = {1.7, 1.3};
+  const auto check = [&]<typename T>(const Camera<T>& camera) {
+    for (const ImageSize size : {ImageSize{1, 1},
+                                 {1, 9},
+                                 {17, 31},
+                                 {640, 480},
+                                 {1021, 763},
+                                 {4096, 3},
+                                 {16384, 16384},
+                                 {1 << 28, 1},
+                                 {1, (1 << 28) - 1}})
+      for (int n = 0; n <= 40; ++n) {
+        const int i = static_cast<int>(std::int64_t{size.width - 1} * n / 40);
+        const int j = static_cast<int>(std::int64_t{size.height - 1} * (40 - n) / 40);
+        const auto pixel = camera.primary_ray(i, j, size);
+        const auto point = camera.ray_through(i + 0.5, j + 0.5, size);
+        ASSERT_EQ(point.origin.v, pixel.origin.v) << i << " " << j;
+        ASSERT_EQ(point.direction.v, pixel.direction.v) << i << " " << j;
+        // The formula of section 2.3.3 in integers, as it was before there were points.
+        const T xp = T(file.window.x) * T(2 * i + 1 - size.width) / T(2 * size.width);
+        const T yp = T(file.window.y) * T(size.height - 2 * j - 1) / T(2 * size.height);
+        const auto obs = camera.primary_ray_obs(i, j, size);
+        ASSERT_EQ(obs.origin.v, (glm::vec<3, T>(xp, yp, 0))) << i << " " << j;
+      }
+  };
+  check(Camera<double>(file));
+  check(Camera<float>(file));
+}
+
+TEST(Camera, CornersOfTheScreenAreThoseOfTheWindow) {
+  const Camera<double> camera(looking_down_minus_z());
+  const glm::dvec3 centre(1, 2, 8);
+  EXPECT_EQ(camera.ray_through(0, 0, {640, 480}).origin.v, centre + glm::dvec3(-2, 1.5, 0));
+  EXPECT_EQ(camera.ray_through(640, 480, {640, 480}).origin.v, centre + glm::dvec3(2, -1.5, 0));
+  EXPECT_EQ(camera.ray_through(320, 240, {640, 480}).origin.v, centre);
+}
+
 TEST(Camera, ColumnsGoRightAndRowsGoDown) {
   const Camera<double> camera(looking_down_minus_z());
   // right = n x up = (0,0,-1) x (0,1,0) = (1,0,0); the pixel's centre in a

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "tests/cli_fixture.h"
+#include "viewer/png_file.h"
 
 namespace sir::test {
 namespace {
@@ -21,49 +22,66 @@ TEST_F(CliTest, WrongUsageExitsWith2AndNamesTheOption) {
     Names words;
     const char* named;
   };
-  for (const Wrong& wrong :
-       std::vector<Wrong>{{{}, "subcommand"},
-                          {{"sculpt", "s"}, "sculpt"},
-                          {{"--frob"}, "--frob"},
-                          {{"render"}, "BASE"},
-                          {{"render", "s", "--frob"}, "--frob"},
-                          {{"render", "s", "t"}, "t"},
-                          {{"render", "s", "--size"}, "--size"},
-                          {{"render", "s", "--size", "640"}, "--size"},
-                          {{"render", "s", "--size", "640X480"}, "--size"},
-                          {{"render", "s", "--size", "0x480"}, "--size"},
-                          {{"render", "s", "--size", "-1x480"}, "--size"},
-                          {{"render", "s", "--size", "99999x99999"}, "--size"},
-                          {{"render", "s", "--depth", "0"}, "--depth"},
-                          {{"render", "s", "--depth", "two"}, "--depth"},
-                          {{"render", "s", "--cutoff", "-1"}, "--cutoff"},
-                          {{"render", "s", "--cutoff", "nan"}, "--cutoff"},
-                          {{"render", "s", "--cutoff", "0,1"}, "--cutoff"},
-                          {{"render", "s", "--past-limit", "one"}, "--past-limit"},
-                          {{"render", "s", "--threads", "0"}, "--threads"},
-                          {{"render", "s", "--precision", "half"}, "--precision"},
-                          {{"render", "s", "--effects", "shadow,glow"}, "--effects"},
-                          {{"render", "s", "--effects", ""}, "--effects"},
-                          {{"render", "s", "--region", "0,0,8"}, "--region"},
-                          {{"render", "s", "--region", "0,0,0,8"}, "--region"},
-                          {{"render", "s", "--region", "640,0,1,1"}, "--region"},
-                          {{"render", "s", "--region", "2147483647,0,2147483647,1"}, "--region"},
-                          {{"trace", "s", "640", "0"}, "I J"},
-                          {{"trace", "s", "x", "0"}, "I"},
-                          {{"trace", "s", "0"}, "J"},
-                          {{"probe", "s", "--precision", "quad"}, "--precision"},
-                          {{"lut", "s", "--method", "guess"}, "--method"},
-                          {{"lut", "s", "--space", "lab"}, "--space"},
-                          {{"lut", "s", "--split", "x"}, "--split"},
-                          {{"lut", "s", "--grey-s", "1.5"}, "--grey-s"},
-                          {{"lut", "s", "--grey-v", "nan"}, "--grey-v"},
-                          {{"lut", "s", "--grid", "36x30"}, "--grid"},
-                          {{"lut", "s", "--sample", "0"}, "--sample"},
-                          {{"show"}, "IMAGE"},
-                          {{"show", "s", "s", "--png", "x.png"}, "--png"},
-                          {{"planes", "s", "-o", "a", "--out", "b"}, "-o"},
-                          {{"table", "--repeats", "0"}, "--repeats"},
-                          {{"hsv", "file"}, "file"}}) {
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {{}, "subcommand"},
+           {{"sculpt", "s"}, "sculpt"},
+           {{"--frob"}, "--frob"},
+           {{"render"}, "BASE"},
+           {{"render", "s", "--frob"}, "--frob"},
+           {{"render", "s", "t"}, "t"},
+           {{"render", "s", "--size"}, "--size"},
+           {{"render", "s", "--size", "640"}, "--size"},
+           {{"render", "s", "--size", "640X480"}, "--size"},
+           {{"render", "s", "--size", "0x480"}, "--size"},
+           {{"render", "s", "--size", "-1x480"}, "--size"},
+           {{"render", "s", "--size", "99999x99999"}, "--size"},
+           {{"render", "s", "--depth", "0"}, "--depth"},
+           {{"render", "s", "--depth", "two"}, "--depth"},
+           {{"render", "s", "--cutoff", "-1"}, "--cutoff"},
+           {{"render", "s", "--cutoff", "nan"}, "--cutoff"},
+           {{"render", "s", "--cutoff", "0,1"}, "--cutoff"},
+           {{"render", "s", "--past-limit", "one"}, "--past-limit"},
+           {{"render", "s", "--threads", "0"}, "--threads"},
+           {{"render", "s", "--precision", "half"}, "--precision"},
+           {{"render", "s", "--effects", "shadow,glow"}, "--effects"},
+           {{"render", "s", "--effects", ""}, "--effects"},
+           {{"render", "s", "--antialias", ""}, "--antialias"},
+           {{"render", "s", "--antialias", "blur"}, "--antialias"},
+           {{"render", "s", "--antialias", "Adaptive"}, "--antialias"},
+           {{"render", "s", "--antialias", "none:1"}, "--antialias"},
+           {{"render", "s", "--antialias", "adaptive:"}, "--antialias"},
+           {{"render", "s", "--antialias", "adaptive:256"}, "--antialias"},
+           {{"render", "s", "--antialias", "adaptive:-1"}, "--antialias"},
+           {{"render", "s", "--antialias", "adaptive:16:7"}, "--antialias"},
+           {{"render", "s", "--antialias", "adaptive:16:2:1"}, "--antialias"},
+           {{"render", "s", "--antialias", "adaptive:1e1"}, "--antialias"},
+           {{"render", "s", "--antialias", "random:0"}, "--antialias"},
+           {{"render", "s", "--antialias", "random:4097"}, "--antialias"},
+           {{"render", "s", "--antialias", "random::1"}, "--antialias"},
+           {{"render", "s", "--antialias", "random:4:-1"}, "--antialias"},
+           {{"render", "s", "--antialias", "random:4:1:1"}, "--antialias"},
+           {{"render", "s", "--antialias", "random:99999999999999999999"}, "--antialias"},
+           {{"render", "s", "--progressive", "--no-png"}, "--no-png"},
+           {{"render", "s", "--region", "0,0,8"}, "--region"},
+           {{"render", "s", "--region", "0,0,0,8"}, "--region"},
+           {{"render", "s", "--region", "640,0,1,1"}, "--region"},
+           {{"render", "s", "--region", "2147483647,0,2147483647,1"}, "--region"},
+           {{"trace", "s", "640", "0"}, "I J"},
+           {{"trace", "s", "x", "0"}, "I"},
+           {{"trace", "s", "0"}, "J"},
+           {{"probe", "s", "--precision", "quad"}, "--precision"},
+           {{"lut", "s", "--method", "guess"}, "--method"},
+           {{"lut", "s", "--space", "lab"}, "--space"},
+           {{"lut", "s", "--split", "x"}, "--split"},
+           {{"lut", "s", "--grey-s", "1.5"}, "--grey-s"},
+           {{"lut", "s", "--grey-v", "nan"}, "--grey-v"},
+           {{"lut", "s", "--grid", "36x30"}, "--grid"},
+           {{"lut", "s", "--sample", "0"}, "--sample"},
+           {{"show"}, "IMAGE"},
+           {{"show", "s", "s", "--png", "x.png"}, "--png"},
+           {{"planes", "s", "-o", "a", "--out", "b"}, "-o"},
+           {{"table", "--repeats", "0"}, "--repeats"},
+           {{"hsv", "file"}, "file"}}) {
     const Ended ended = sir(wrong.words);
     std::string command = "sir";
     for (const std::string& word : wrong.words) command += " " + word;
@@ -257,12 +275,16 @@ TEST_F(CliTest, ALimitOnFileSizesIsReported) {
 }
 
 // A glass ball that fills the window: every pixel takes hundreds of rays.
-TEST_F(CliTest, CtrlCLeavesNothingAndExitsWith130) {
-  if (!terminals_exist()) GTEST_SKIP() << "no terminal to be had (/dev/pts)";
+void write_glass(const TempFolder& folder) {
   folder.write("g.CSG", "1\n1\nbola\nPRIMITIVO\nESFERA\n1\n9 0 0 0\n0 9 0 0\n0 0 9 0\n0 0 0 1\n");
   folder.write("g.CAM", "4 3\n0 0 0\n0 0 -1\n20\n0 1 0\n");
   folder.write("g.LUZ", "0 0 .2\n.1\n1\n50 60 70 1\n");
   folder.write("g.SUP", "1\n1\nvidro\nLISA\n0 0 0 0 0 0 .9 20 .9 1.5\n");
+}
+
+TEST_F(CliTest, CtrlCLeavesNothingAndExitsWith130) {
+  if (!terminals_exist()) GTEST_SKIP() << "no terminal to be had (/dev/pts)";
+  write_glass(folder);
   const Names before = folder.list();
   Start start;
   start.err_is_terminal = true;
@@ -279,6 +301,22 @@ TEST_F(CliTest, CtrlCLeavesNothingAndExitsWith130) {
   EXPECT_TRUE(ended.err.ends_with("\r\x1B[K")) << "the line of progress is left";
   fs::remove(folder / "o");  // the folder itself was asked for; it must be empty
   EXPECT_EQ(folder.list(), before);
+}
+
+TEST_F(CliTest, CtrlCLeavesThePictureSoFarAndTheOldPlanes) {
+  write_glass(folder);
+  for (const char* plane : {"g.R", "g.G", "g.B"}) folder.write(plane, "old");
+  Program program(SIR_PROGRAM,
+                  {"-v", "render", (folder / "g").string(), "--size", "1600x1200", "--depth", "9",
+                   "--progressive"},
+                  {});
+  EXPECT_TRUE(program.wait_for("all of 16x16"));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.finish().exit_code, 130);
+  const Planes picture = viewer::read_png(folder / "g.png");
+  ASSERT_EQ(picture.size, (ImageSize{1600, 1200}));
+  EXPECT_EQ(picture.at(0), picture.at(15 * 1600 + 1));
+  for (const char* plane : {"g.R", "g.G", "g.B"}) EXPECT_EQ(folder.read(plane), "old");
 }
 
 TEST_F(CliTest, ProgressIsForTerminalsOnly) {

@@ -40,6 +40,20 @@ TEST(EffectSet, EachEffectIsCalledForByWhatNeedsIt) {
   EXPECT_EQ(called_for(build.finish(0), allowed), "highlight shadow filter refraction ");
 }
 
+TEST(EffectSet, AntialiasingIsOnWhereItIsWantedAndAllowed) {
+  SceneBuilder build;
+  const Scene scene = build.finish(build.sphere({0, 0, 0}, 1));
+  EffectSet allowed;
+  for (const bool all : {false, true}) {
+    allowed.exhaustive = all;
+    allowed.antialias = true;
+    EXPECT_TRUE(effects_called_for(scene, allowed, true).antialias);
+    EXPECT_FALSE(effects_called_for(scene, allowed).antialias);
+    allowed.antialias = false;
+    EXPECT_FALSE(effects_called_for(scene, allowed, true).antialias);
+  }
+}
+
 TEST(EffectSet, UnknownNamesAreNotFound) {
   EffectSet set;
   EXPECT_EQ(set.find("Shadow"), nullptr);

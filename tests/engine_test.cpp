@@ -40,7 +40,7 @@ void expect_same_boundaries(const Scene& scene, std::uint64_t seed, bool aligned
 TEST(Engine, GatesGiveRothsBoundaries) {
   for (std::uint64_t seed = 0; seed < 150; ++seed)
     for (const bool aligned : {false, true})
-      for (const auto precision : {Precision::double_, Precision::float_})
+      for (const auto precision : {Precision::double_, Precision::float_, Precision::long_double})
         expect_same_boundaries(test::random_scene(seed, 1 + static_cast<int>(seed) % 25, aligned),
                                seed, aligned, precision);
 }
@@ -50,7 +50,7 @@ TEST(Engine, GatesGiveRothsImages) {
   options.size = {48, 36};
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Scene scene = test::random_scene(seed, 3 + static_cast<int>(seed) % 12, seed % 3 == 0);
-    for (const auto precision : {Precision::double_, Precision::float_}) {
+    for (const auto precision : {Precision::double_, Precision::float_, Precision::long_double}) {
       options.precision = precision;
       options.trace.engine = Engine::gates;
       const auto fast = render(scene, options);

@@ -16,19 +16,24 @@
 // to float of every input could change the list. Scenes and rays in multiples of
 // 1/64 up to 64 are the same in float and have no such excuse.
 //
+// Long double, both engines: as double; where it is wider no excuse is needed, t is
+// within a unit in the last place of double, of which half is its rounding to one.
+//
 // The table's columns. rays: of the class; cross: those that meet the solid. Double,
-// then float: sure: definite answers (float: in the domain); list: the same list;
+// float, long double: sure: definite answers (float: in the domain); list: the same list;
 // right: and every t; t error: worst among the right ones, relative (float: to the
 // larger of t and size); rounds: worst backward error of t, in roundings; all: rays
 // of the whole class that float gets right, in the domain or not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <iostream>
 #include <map>
 
 #include "tests/hard_rays_check.h"
+#include "tracer/numeric.h"
 
 namespace sir::test {
 namespace {
@@ -52,35 +57,44 @@ struct Score {
   }
 };
 
+// What a long double's t may be off by, handed out as a double: each is known to
+// Numeric::kTrustedRoundings, 1024 of them.
+constexpr double kLongRelativeError = kWiderThanDouble<long double> ? 0x1p-52 : kRelativeErrorAtAll;
+
+using Scores = std::array<Score, 3>;  // double, float, long double
+
 // The table at the end of the program, of the classes that ran.
 class Table : public testing::Environment {
  public:
   void TearDown() override {
     if (rows().empty()) return;
-    std::printf("%-24s %5s %5s | %5s %5s %5s %8s %6s | %5s %5s %5s %8s %5s\n", "class", "rays",
-                "cross", "sure", "list", "right", "t error", "rounds", "sure", "list", "right",
-                "t error", "all");
-    Score sum[2];
+    std::printf("%-24s %5s %5s | %5s %5s %5s %8s %6s | %5s %5s %5s %8s %5s | %5s %5s %5s %8s\n",
+                "class", "rays", "cross", "sure", "list", "right", "t error", "rounds", "sure",
+                "list", "right", "t error", "all", "sure", "list", "right", "t error");
+    Scores sum;
     for (const HardClass& each : hard_classes()) {
       const auto row = rows().find(each.name);
       if (row == rows().end()) continue;
-      print(each.name, row->second.first, row->second.second);
-      total(sum[0], row->second.first);
-      total(sum[1], row->second.second);
+      print(each.name, row->second);
+      for (std::size_t i = 0; i < sum.size(); ++i) total(sum[i], row->second[i]);
     }
-    print("all", sum[0], sum[1]);
+    print("all", sum);
   }
 
-  static std::map<std::string, std::pair<Score, Score>>& rows() {
-    static std::map<std::string, std::pair<Score, Score>> all;
+  static std::map<std::string, Scores>& rows() {
+    static std::map<std::string, Scores> all;
     return all;
   }
 
  private:
-  static void print(const std::string& name, const Score& d, const Score& f) {
-    std::printf("%-24s %5d %5d | %5d %5d %5d %8.1e %6.2f | %5d %5d %5d %8.1e %5d\n", name.c_str(),
-                d.rays, d.crossing, d.definite, d.same_list, d.right, d.relative_error, d.backward,
-                f.definite, f.same_list, f.right, f.relative_error, f.right_in_all);
+  static void print(const std::string& name, const Scores& scores) {
+    const auto& [d, f, l] = scores;
+    std::printf(
+        "%-24s %5d %5d | %5d %5d %5d %8.1e %6.2f | %5d %5d %5d %8.1e %5d | "
+        "%5d %5d %5d %8.1e\n",
+        name.c_str(), d.rays, d.crossing, d.definite, d.same_list, d.right, d.relative_error,
+        d.backward, f.definite, f.same_list, f.right, f.relative_error, f.right_in_all, l.definite,
+        l.same_list, l.right, l.relative_error);
   }
   static void total(Score& sum, const Score& part) {
     sum.rays += part.rays;
@@ -139,11 +153,11 @@ TEST_P(HardRays, HaveTheExactAnswer) {
   const HardClass& of = hard_classes()[GetParam()];
   const std::vector<HardRay> rays = of.rays();
   ASSERT_GE(rays.size(), 60u);
-  Failures in_double(of), in_float_failures(of), in_oracle(of);
-  Score double_score, float_score;
+  Failures in_double(of), in_float_failures(of), in_long_double(of), in_oracle(of);
+  Score double_score, float_score, long_score;
 
   std::unique_ptr<ExactOracle> oracle;
-  std::unique_ptr<Prober> gates, roth, single_gates, single_roth;
+  std::unique_ptr<Prober> gates, roth, single_gates, single_roth, long_gates, long_roth;
   const Scene* current = nullptr;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const HardRay& ray = rays[i];
@@ -152,6 +166,8 @@ TEST_P(HardRays, HaveTheExactAnswer) {
       oracle = std::make_unique<ExactOracle>(*current);
       gates = make_prober(*current, Precision::double_, Engine::gates);
       roth = make_prober(*current, Precision::double_, Engine::roth);
+      long_gates = make_prober(*current, Precision::long_double, Engine::gates);
+      long_roth = make_prober(*current, Precision::long_double, Engine::roth);
       single_gates = make_prober(*current, Precision::float_, Engine::gates);
       single_roth = make_prober(*current, Precision::float_, Engine::roth);
     }
@@ -169,6 +185,22 @@ TEST_P(HardRays, HaveTheExactAnswer) {
       if (name == std::string("gates") || !verdict.right) worst = verdict;
     }
     double_score.add(worst, !exact.hits.empty(), true, exact.definite);
+
+    for (const auto& [name, prober] :
+         {std::pair{"gates", long_gates.get()}, {"roth", long_roth.get()}}) {
+      const auto& found = prober->hits(ray.origin, ray.direction);
+      Verdict verdict = judge_double(*oracle, ray, exact, found);
+      if (verdict.right && !(verdict.relative_error <= kLongRelativeError)) {
+        verdict.right = false;
+        verdict.reason = "t is off by " + std::to_string(verdict.relative_error / 0x1p-53) +
+                         " roundings of double";
+      }
+      if (exact.definite && !verdict.right)
+        in_long_double.add(std::string("long double ") + name, i, verdict.reason,
+                           describe(ray, exact, found));
+      if (name == std::string("gates") || !verdict.right) worst = verdict;
+    }
+    long_score.add(worst, !exact.hits.empty(), true, exact.definite);
 
     const HardRay narrow = in_float(ray);
     const bool in_domain = in_float_domain(narrow);
@@ -189,10 +221,11 @@ TEST_P(HardRays, HaveTheExactAnswer) {
   }
   // A class of which nothing is definite would prove nothing.
   EXPECT_GE(double_score.definite, static_cast<int>(rays.size()) * 9 / 10);
-  Table::rows()[of.name] = {double_score, float_score};
+  Table::rows()[of.name] = {double_score, float_score, long_score};
   in_oracle.report();
   in_double.report();
   in_float_failures.report();
+  in_long_double.report();
 }
 
 TEST(HardRayList, IsLongAndTheSameEveryTime) {

@@ -38,6 +38,18 @@ TEST_P(Images, SameBytesForEveryEngineAndNumberOfThreads) {
   EXPECT_EQ(render(scene, options).planes, one) << "all effects' rays";
 }
 
+TEST_P(Images, LongDoubleSeesTheSame) {
+  const Scene scene = read_scene(kImages / GetParam());
+  RenderOptions options;
+  options.size = {160, 120};
+  const Planes usual = render(scene, options).planes;
+  options.precision = Precision::long_double;
+  const Planes wide = render(scene, options).planes;
+  std::size_t off = 0;
+  for (std::size_t p = 0; p < usual.size.pixels(); ++p) off += usual.at(p) != wide.at(p);
+  EXPECT_LE(off * 1000, usual.size.pixels());
+}
+
 TEST_P(Images, ScaleAndPlaceDoNotShow) {
   const Scene scene = read_scene(kImages / GetParam());
   RenderOptions options;

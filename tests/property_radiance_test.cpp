@@ -96,6 +96,7 @@ TEST_P(PropertyRadiance, IsFiniteAndBounded) {
     options.allowed_effects.exhaustive = seed % 7 == 0;
     trace<double>(seed, tally, options);
     trace<float>(seed, tally, options);
+    trace<long double>(seed, tally, options);
     tally.progress();
   }
 }

@@ -107,8 +107,9 @@ class Follower {
 
   bool wrong_side(const RayCena<T>& ray, double t, bool inside, double extent) {
     const glm::dvec3 o(ray.origin.v), d(ray.direction.v);
+    // The point that is asked for is a double however wide T is.
     const Side side = membership_.of(o + t * d, extent + largest(o) + t * largest(d),
-                                     double(Numeric<T>::kEpsilon));
+                                     double(Numeric<T>::kEpsilon * Numeric<T>::kGrain));
     ++(side == Side::undecided ? tally_.undecided : tally_.decided);
     return side != Side::undecided && (side == Side::inside) != inside;
   }
@@ -143,6 +144,7 @@ TEST_P(PropertySecondary, NeverMeetAConvexSolidAgain) {
   for (std::uint64_t seed = 1; tally.wants_more(); ++seed) {
     follow<double>(tally, seed, 1);
     follow<float>(tally, seed, 1);
+    follow<long double>(tally, seed, 1);
     tally.progress();
   }
 }
@@ -153,6 +155,7 @@ TEST_P(PropertySecondary, GoOnOnTheirSide) {
     const int leaves = 2 + static_cast<int>(seed % 20);
     follow<double>(tally, seed, leaves);
     follow<float>(tally, seed, leaves);
+    follow<long double>(tally, seed, leaves);
     tally.progress();
   }
 }
@@ -278,6 +281,7 @@ TEST(PropertyLit, ConvexSolidHasNoDarkPixelOnItsLitSide) {
   for (std::uint64_t seed = 1; tally.wants_more(); ++seed) {
     expect_lit<double>(seed, tally);
     expect_lit<float>(seed, tally);
+    expect_lit<long double>(seed, tally);
     tally.progress();
   }
 }

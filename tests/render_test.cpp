@@ -22,7 +22,7 @@ int difference(Rgb8 a, Rgb8 b) {
 
 TEST(Render, SamePlanesForAnyNumberOfThreads) {
   RenderOptions options = small();
-  const Scene scene = test::random_scene(1, 9, false);
+  const Scene scene = test::random_scene(7, 9, false);
   options.threads = 1;
   const auto one = render(scene, options);
   for (const int threads : {2, 7, 64}) {

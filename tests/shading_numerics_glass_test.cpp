@@ -45,9 +45,13 @@ struct Glass {
 };
 
 class GlassImages : public testing::TestWithParam<Precision> {};
-INSTANTIATE_TEST_SUITE_P(Both, GlassImages, testing::Values(Precision::float_, Precision::double_),
+INSTANTIATE_TEST_SUITE_P(All, GlassImages,
+                         testing::Values(Precision::float_, Precision::double_,
+                                         Precision::long_double),
                          [](const auto& made) {
-                           return made.param == Precision::float_ ? "in_float" : "in_double";
+                           return made.param == Precision::float_    ? "in_float"
+                                  : made.param == Precision::double_ ? "in_double"
+                                                                     : "in_long_double";
                          });
 
 TEST_P(GlassImages, OfIndexOneChangeNothing) {

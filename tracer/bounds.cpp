@@ -65,5 +65,6 @@ Bounds<T> bounds_of(PrimitiveKind kind, const LocalCena<T>& placement) {
 
 template Bounds<float> bounds_of(PrimitiveKind, const LocalCena<float>&);
 template Bounds<double> bounds_of(PrimitiveKind, const LocalCena<double>&);
+template Bounds<long double> bounds_of(PrimitiveKind, const LocalCena<long double>&);
 
 }  // namespace sir

@@ -22,7 +22,13 @@ class Camera {
   /// The same in SC_OBS.
   RayObs<T> primary_ray_obs(int i, int j, ImageSize size) const;
 
+  /// The ray through any point of the screen, in pixels from the image's top left
+  /// corner; primary_ray(i, j) to the bit at (i + 1/2, j + 1/2).
+  RayCena<T> ray_through(double x, double y, ImageSize size) const;
+
  private:
+  RayObs<T> ray_obs_through(double x, double y, ImageSize size) const;
+
   Transform<ScObs, ScCena, T> obs_cena_;
   glm::vec<2, T> window_;
   T focal_;

@@ -43,13 +43,8 @@ bool Classifier<T>::set_out(const RayCena<T>& ray, const RayStart<T>& start) {
   secondary_ = start.leaf != RayStart<T>::kNowhere;
   const T speed = largest(ray.direction.v);
   if (!(speed > 0) || !std::isfinite(speed)) return false;  // no ray in T
-  pace_ = std::ldexp(T(1), -std::ilogb(speed));
-  tame_ = std::isnormal(speed) && std::isnormal(pace_);
-  for (int axis = 0; axis < 3; ++axis) {
-    const T d = std::abs(ray.direction.v[axis]);
-    tame_ = tame_ && (d == 0 || d * pace_ > Numeric<T>::kWellAboveUnderflow);
-  }
-  start_t_ = secondary_ ? largest(ray.origin.v) / speed : T(0);
+  if (solid_.textbook.empty()) set_pace(speed);
+  else behind_ = kTextbookStart<T> / length(ray.direction);
   return true;
 }
 
@@ -68,9 +63,31 @@ void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T far
   if (engine_ == Engine::roth) combine_all();
 }
 
+template <typename T>
+void Classifier<T>::set_pace(T speed) {
+  pace_ = std::ldexp(T(1), -std::ilogb(speed));
+  tame_ = std::isnormal(speed) && std::isnormal(pace_);
+  for (int axis = 0; axis < 3; ++axis) {
+    const T d = std::abs(ray_.direction.v[axis]);
+    tame_ = tame_ && (d == 0 || d * pace_ > Numeric<T>::kWellAboveUnderflow);
+  }
+  start_t_ = secondary_ ? largest(ray_.origin.v) / speed : T(0);
+}
+
+// As if it were exact: what has no error is never in doubt.
+template <typename T>
+bool Classifier<T>::gather_by_textbook(std::uint32_t index) {
+  Span<T> span;
+  if (!intersect_as_in_textbooks(solid_.textbook[index], ray_, span) || span.leave < 0)
+    return false;
+  spans_.push_back({span, index, false, true, kNone});
+  return true;
+}
+
 // True where the primitive is met.
 template <typename T>
 bool Classifier<T>::gather(std::uint32_t index) {
+  if (!solid_.textbook.empty()) return gather_by_textbook(index);
   const Leaf<T>& leaf = solid_.leaves[index];
   if (stands_on(leaf) && !start_.inward) return false;  // convex: never met again
   Span<T> span;
@@ -333,5 +350,6 @@ bool Classifier<T>::precedes(const Boundary<T>& a, const Boundary<T>& b) const {
 
 template class Classifier<float>;
 template class Classifier<double>;
+template class Classifier<long double>;
 
 }  // namespace sir

@@ -56,6 +56,9 @@ struct Fusing {
 /// that differs there is a boundary, so that no span of zero length can arise.
 /// It is named by the primitive's surface that turns the same way as the
 /// result, of the lowest node number, then the lowest face.
+///
+/// A solid that was built for Formulas::textbook is intersected by these alone,
+/// and nothing is ever doubted; the sweep is the same.
 template <typename T>
 class Classifier {
  public:
@@ -102,7 +105,9 @@ class Classifier {
     return secondary_ && leaf.shape == solid_.leaves[start_.leaf].shape;
   }
   bool set_out(const RayCena<T>& ray, const RayStart<T>& start);
+  void set_pace(T speed);
   bool gather(std::uint32_t leaf);
+  bool gather_by_textbook(std::uint32_t leaf);
   enum class Presence : std::uint8_t { absent, present, doubtful };
   Presence presence();
   Presence presence_of(const Product& product, std::uint32_t last) const;
@@ -117,7 +122,7 @@ class Classifier {
   void sharpen(const Crossed& doubted);
   bool sharpen_group(std::size_t first, std::size_t end);
   bool toggle(Crossed& crossed);
-  bool reportable(T t) const { return secondary_ ? t > 0 : t >= 0; }
+  bool reportable(T t) const { return secondary_ ? t > behind_ : t >= 0; }
   Boundary<T> boundary_of(const Event& event, bool entering) const;
   bool pass_cluster(std::size_t end, Boundary<T>& boundary);
   bool changed_with_solid(const Event& event, T cluster_start) const;
@@ -136,6 +141,7 @@ class Classifier {
   T chain_;           // events of a ray to t = 1 that are one do not reach as far as this
   bool tame_ = true;  // no component of the direction is lost to underflow
   T pace_ = 1;        // a power of two that brings the direction near 1
+  T behind_ = 0;      // secondary rays: up to here nothing is reported
   T start_t_ = 0;     // secondary rays: the t that is worth the origin's coordinates
   std::vector<Crossed> spans_;
   std::vector<Event> events_;

@@ -40,7 +40,8 @@ bool Classifier<T>::blocked(const RayCena<T>& ray, const RayStart<T>& start, T c
   if (!set_out(ray, start)) return false;
   const T speed = largest(ray.direction.v);
   const T roundings = Numeric<T>::kBoxRoundings * Numeric<T>::kEpsilon;
-  const bool clear = engine_ == Engine::gates && fusing_.within_ulps && fusing_.nudge == 0 &&
+  const bool clear = engine_ == Engine::gates && solid_.textbook.empty() && fusing_.within_ulps &&
+                     fusing_.nudge == 0 &&
                      chain_ * speed + roundings * (largest(ray.origin.v) + speed) < clearance;
   if (clear) {
     bool met = false;
@@ -162,5 +163,7 @@ bool Classifier<T>::joined(const Crossed& crossed) const {
 
 template bool Classifier<float>::blocked(const RayCena<float>&, const RayStart<float>&, float);
 template bool Classifier<double>::blocked(const RayCena<double>&, const RayStart<double>&, double);
+template bool Classifier<long double>::blocked(const RayCena<long double>&,
+                                               const RayStart<long double>&, long double);
 
 }  // namespace sir

@@ -86,5 +86,6 @@ void Classifier<T>::combine_all() {
 
 template void Classifier<float>::combine_all();
 template void Classifier<double>::combine_all();
+template void Classifier<long double>::combine_all();
 
 }  // namespace sir

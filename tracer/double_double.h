@@ -70,6 +70,11 @@ inline double to_double(DoubleDouble a) { return a.hi + a.lo; }
 inline DoubleDouble times_power_of_two(DoubleDouble a, int exponent) {
   return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)};
 }
+/// a times 2^exponent as the nearest T wider than double.
+template <typename T>
+T nearest_wider(DoubleDouble a, int exponent) {
+  return std::ldexp(T(a.hi) + T(a.lo), exponent);
+}
 inline int sign_of(DoubleDouble a) { return (a.hi > 0) - (a.hi < 0); }
 
 }  // namespace sir

@@ -19,9 +19,10 @@ bool* EffectSet::find(std::string_view name) {
   return nullptr;
 }
 
-EffectSet effects_called_for(const Scene& scene, const EffectSet& allowed) {
+EffectSet effects_called_for(const Scene& scene, const EffectSet& allowed, bool antialias_wanted) {
   EffectSet set = allowed;
-  set.bump = set.antialias = false;  // nothing calls for them yet
+  set.bump = false;  // nothing calls for it yet
+  set.antialias = allowed.antialias && antialias_wanted;
   if (allowed.exhaustive) return set;
   std::unordered_set<std::int64_t> reached;
   for (const CsgNode& node : scene.tree.nodes)

@@ -19,7 +19,7 @@ struct EffectSet {
   bool refraction = true;  ///< refracted rays
   bool texture = true;     ///< more than the first coefficients of a surface
   bool bump = true;        ///< perturbed normals; no surface of today has any
-  bool antialias = true;   ///< more than one ray a pixel; not before it is asked for
+  bool antialias = true;   ///< more than one ray a pixel, where it is asked for
   /// Casts every ray of the effects that are on, whether or not it can matter.
   bool exhaustive = false;
 
@@ -31,8 +31,10 @@ struct EffectSet {
 };
 
 /// The effects of `allowed` that the surfaces reached by the tree and the lights
-/// call for. With allowed.exhaustive all that are allowed, but for bump and
-/// antialias, which no scene has yet.
-EffectSet effects_called_for(const Scene& scene, const EffectSet& allowed);
+/// call for. With allowed.exhaustive all that are allowed, but for bump, which no
+/// scene has yet. Antialiasing is called for by nothing in a scene, but by whoever
+/// wants it (`antialias_wanted`).
+EffectSet effects_called_for(const Scene& scene, const EffectSet& allowed,
+                             bool antialias_wanted = false);
 
 }  // namespace sir

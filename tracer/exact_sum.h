@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "tracer/double_double.h"
+#include "tracer/numeric.h"
 
 namespace sir {
 
@@ -35,12 +36,24 @@ class ExactSum {
   }
 
   bool is_zero() const { return size_ == 0; }
-  /// Whether value() is the sum itself.
-  bool is_a_double() const { return size_ <= 1; }
+  /// Whether value() is surely the sum itself. T: double or wider.
+  template <typename T>
+  bool is_a() const {
+    if (size_ <= 1) return true;
+    if constexpr (!kWiderThanDouble<T>) return false;
+    T sum = 0;
+    for (std::size_t i = size_; i-- > 0;) {  // from the largest part down: fast_two_sum()
+      const T next = sum + T(part_[i]);
+      if (next - sum != T(part_[i])) return false;
+      sum = next;
+    }
+    return true;
+  }
   /// The sum, off by less than a unit in the last place.
-  double value() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < size_; ++i) sum += part_[i];
+  template <typename T>
+  T value() const {
+    T sum = 0;
+    for (std::size_t i = 0; i < size_; ++i) sum += T(part_[i]);
     return sum;
   }
 

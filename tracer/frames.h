@@ -5,8 +5,8 @@
 // SC_OBS    the observer's frame: screen in the plane Z = 0, scene at Z > 0
 //
 // Points, vectors and normals of different frames do not mix, and neither do
-// scalar types: both are compile errors. T is float or double and runs unmixed
-// from the primary ray to the colour.
+// scalar types: both are compile errors. T is float, double or long double and
+// runs unmixed from the primary ray to the colour.
 #pragma once
 
 #include <glm/geometric.hpp>

@@ -43,5 +43,6 @@ Hierarchy<T>::Hierarchy(std::span<const Bounds<T>> boxes) {
 
 template class Hierarchy<float>;
 template class Hierarchy<double>;
+template class Hierarchy<long double>;
 
 }  // namespace sir

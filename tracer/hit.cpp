@@ -44,6 +44,7 @@ Hit<T> hit_at(const Model<T>& model, const RayCena<T>& ray, const Boundary<T>& b
   template Hit<T> hit_at(const Model<T>&, const RayCena<T>&, const Boundary<T>&);
 SIR_INSTANTIATE(float)
 SIR_INSTANTIATE(double)
+SIR_INSTANTIATE(long double)
 #undef SIR_INSTANTIATE
 
 }  // namespace sir

@@ -96,5 +96,6 @@ Crossing intersect_cone(const LocalRay<T>& ray, Span<T>& span) {
 
 template Crossing intersect_cone(const LocalRay<float>&, Span<float>&);
 template Crossing intersect_cone(const LocalRay<double>&, Span<double>&);
+template Crossing intersect_cone(const LocalRay<long double>&, Span<long double>&);
 
 }  // namespace sir

@@ -18,5 +18,6 @@ Crossing intersect_cube(const LocalRay<T>& ray, Span<T>& span) {
 
 template Crossing intersect_cube(const LocalRay<float>&, Span<float>&);
 template Crossing intersect_cube(const LocalRay<double>&, Span<double>&);
+template Crossing intersect_cube(const LocalRay<long double>&, Span<long double>&);
 
 }  // namespace sir

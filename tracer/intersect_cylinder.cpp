@@ -52,5 +52,6 @@ Crossing intersect_cylinder(const LocalRay<T>& ray, Span<T>& span) {
 
 template Crossing intersect_cylinder(const LocalRay<float>&, Span<float>&);
 template Crossing intersect_cylinder(const LocalRay<double>&, Span<double>&);
+template Crossing intersect_cylinder(const LocalRay<long double>&, Span<long double>&);
 
 }  // namespace sir

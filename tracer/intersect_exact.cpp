@@ -17,44 +17,60 @@ using Triple = std::array<Number<S>, 3>;
 
 // The problem, and the powers of two that bring it near 1: one for the matrix and
 // the way from the solid's origin, another for the direction.
+template <typename T>
 struct Problem {
   const Placement& placement;
-  glm::dvec3 origin, direction;
+  glm::vec<3, T> origin, direction;
   int size, speed;
   int t_exponent() const { return size - speed; }
 };
 
-int exponent_of_largest(const glm::dvec3& v) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+template <typename T>
+int exponent_of_largest(const glm::vec<3, T>& v) {
+  const T largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   return largest > 0 ? std::ilogb(largest) : std::numeric_limits<int>::min() / 2;
 }
 
-bool finite(const glm::dvec3& v) {
+template <typename T>
+bool finite(const glm::vec<3, T>& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// x times 2^exponent without error; false where it does not fit.
-bool scale(double x, int exponent, Number<DoubleDouble>& result) {
-  const double scaled = std::ldexp(x, exponent);
-  result = Number<DoubleDouble>::exactly(scaled);
-  return std::isfinite(scaled) && std::ldexp(scaled, -exponent) == x;
+// x times 2^exponent without error; false where it does not fit. What is wider
+// than a double is the sum of its leading digits and the rest.
+template <typename T>
+bool scale(T x, int exponent, Number<DoubleDouble>& result) {
+  using Wider = AtLeastDouble<T>;
+  const Wider scaled = std::ldexp(Wider(x), exponent);
+  const double leading = double(scaled);
+  if (!std::isfinite(leading) || std::ldexp(scaled, -exponent) != Wider(x)) return false;
+  const Wider rest = scaled - Wider(leading);
+  result = {{leading, double(rest)}, 0};
+  return Wider(double(rest)) == rest;
 }
-bool scale(double x, int exponent, Number<Wide>& result) {
-  result = {times_power_of_two(Wide(x), exponent), 0};
+template <typename T>
+bool scale(T x, int exponent, Number<Wide>& result) {
+  if constexpr (kWiderThanDouble<T>) {
+    // Near 1 no part of it is too small or too large for a double.
+    const int shift = x == 0 ? 0 : std::ilogb(x);
+    Wide sum;
+    for (T rest = std::ldexp(x, -shift); rest != 0;) {
+      const double leading = double(rest);
+      sum = sum + Wide(leading);
+      rest -= T(leading);
+    }
+    result = {times_power_of_two(sum, shift + exponent), 0};
+  } else {
+    result = {times_power_of_two(Wide(double(x)), exponent), 0};
+  }
   return true;
 }
 
-// a - b times 2^exponent, likewise.
-bool scaled_difference(double a, double b, int exponent, Number<DoubleDouble>& result) {
-  const DoubleDouble way = two_sum(a, -b);
-  Number<DoubleDouble> high, low;
-  const bool fits = scale(way.hi, exponent, high) && scale(way.lo, exponent, low);
-  result = {{high.value.hi, low.value.hi}, 0};
-  return fits;
-}
-bool scaled_difference(double a, double b, int exponent, Number<Wide>& result) {
-  result = {times_power_of_two(Wide(a) - Wide(b), exponent), 0};
-  return true;
+// The nearest T to x times 2^exponent, but for a last rounding.
+template <typename T, typename S>
+T nearest(const S& x, int exponent) {
+  if constexpr (kWiderThanDouble<T>) return nearest_wider<T>(x, exponent);
+  else return static_cast<T>(to_double(times_power_of_two(x, exponent)));
 }
 
 template <typename S>
@@ -72,7 +88,8 @@ struct End {
 template <typename S>
 class ExactIntersection {
  public:
-  ExactIntersection(PrimitiveKind kind, const Problem& problem) : kind_(kind) {
+  template <typename T>
+  ExactIntersection(PrimitiveKind kind, const Problem<T>& problem) : kind_(kind) {
     std::array<Triple<S>, 3> column;
     Triple<S> way, direction;
     bool fits = true;
@@ -81,8 +98,10 @@ class ExactIntersection {
       for (int c = 0; c < 3; ++c)
         fits &= scale(problem.placement.linear[c][r], -problem.size,
                       column[static_cast<std::size_t>(c)][at]);
-      fits &= scaled_difference(problem.origin[r], problem.placement.translation[r], -problem.size,
-                                way[at]);
+      Number<S> from, to;
+      fits &= scale(problem.placement.translation[r], -problem.size, from);
+      fits &= scale(problem.origin[r], -problem.size, to);
+      way[at] = to - from;
       fits &= scale(problem.direction[r], -problem.speed, direction[at]);
     }
     if (!fits) decide_.doubt();
@@ -110,7 +129,7 @@ class ExactIntersection {
 
   template <typename T>
   bool run(int t_exponent, T resolution, Span<T>& span) {
-    resolution_ = std::ldexp(double(resolution), -t_exponent);
+    resolution_ = double(std::ldexp(AtLeastDouble<T>(resolution), -t_exponent));
     if (!candidates() || !certain()) return false;
     const std::size_t enter = latest(enters_, enter_count_, 1);
     const std::size_t leave = latest(leaves_, leave_count_, -1);
@@ -237,9 +256,10 @@ class ExactIntersection {
   template <typename T>
   T rounded(const Number<S>& t, int exponent) {
     // Digits enough to round from, and no doubt about an exact 0.
-    if (t.error > std::max(0x1p-56 * t.size(), resolution_) && decide_.sign(t) != 0)
+    constexpr double kEnough = double(std::numeric_limits<AtLeastDouble<T>>::epsilon() / 16);
+    if (t.error > std::max(kEnough * t.size(), resolution_) && decide_.sign(t) != 0)
       decide_.doubt();
-    return static_cast<T>(to_double(times_power_of_two(t.value, exponent)));
+    return nearest<T>(t.value, exponent);
   }
 
   template <typename T>
@@ -247,7 +267,7 @@ class ExactIntersection {
                       int exponent, T at) {
     std::uint8_t face = ends[named].face;
     for (std::size_t i = 0; i < count; ++i) {
-      const T t = static_cast<T>(to_double(times_power_of_two(ends[i].t.value, exponent)));
+      const T t = nearest<T>(ends[i].t.value, exponent);
       if (Numeric<T>::same_event(std::min(t, at), std::max(t, at)))
         face = std::min(face, ends[i].face);
     }
@@ -269,11 +289,12 @@ template <typename T>
 bool intersect_exactly(PrimitiveKind kind, const Placement& placement, const RayCena<T>& ray,
                        T resolution, Span<T>& span) {
   const auto& m = placement.linear;
-  const Problem problem{
-      placement, glm::dvec3(ray.origin.v), glm::dvec3(ray.direction.v),
+  const Problem<T> problem{
+      placement, ray.origin.v, ray.direction.v,
       std::max({exponent_of_largest(m[0]), exponent_of_largest(m[1]), exponent_of_largest(m[2])}),
-      exponent_of_largest(glm::dvec3(ray.direction.v))};
-  if (!finite(problem.origin) || !finite(problem.direction) || problem.direction == glm::dvec3(0))
+      exponent_of_largest(ray.direction.v)};
+  if (!finite(problem.origin) || !finite(problem.direction) ||
+      problem.direction == glm::vec<3, T>(0))
     return false;
   ExactIntersection<DoubleDouble> usual(kind, problem);
   const bool crosses = usual.run(problem.t_exponent(), resolution, span);
@@ -286,5 +307,7 @@ template bool intersect_exactly(PrimitiveKind, const Placement&, const RayCena<f
                                 Span<float>&);
 template bool intersect_exactly(PrimitiveKind, const Placement&, const RayCena<double>&, double,
                                 Span<double>&);
+template bool intersect_exactly(PrimitiveKind, const Placement&, const RayCena<long double>&,
+                                long double, Span<long double>&);
 
 }  // namespace sir

@@ -43,5 +43,6 @@ Crossing intersect_sphere(const LocalRay<T>& ray, Span<T>& span) {
 
 template Crossing intersect_sphere(const LocalRay<float>&, Span<float>&);
 template Crossing intersect_sphere(const LocalRay<double>&, Span<double>&);
+template Crossing intersect_sphere(const LocalRay<long double>&, Span<long double>&);
 
 }  // namespace sir

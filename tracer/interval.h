@@ -137,7 +137,7 @@ struct Quadratic {
 /// neither to overflow nor to sink to where T loses digits.
 template <typename T>
 bool moderate(T origin, T origin_error, T direction, T direction_error) {
-  constexpr T kMost = std::numeric_limits<T>::max_exponent > 200 ? T(1e70) : T(1e8f);
+  constexpr T kMost = Numeric<T>::kModerate;
   return origin + origin_error < kMost && direction < kMost && direction > 1 / kMost &&
          direction_error * 64 < direction;
 }

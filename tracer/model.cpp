@@ -2,8 +2,8 @@
 
 namespace sir {
 template <typename T>
-Model<T>::Model(const Scene& scene, const EffectSet& allowed)
-    : solid(build_solid<T>(scene)),
+Model<T>::Model(const Scene& scene, const EffectSet& allowed, Formulas formulas)
+    : solid(build_solid<T>(scene, formulas)),
       camera(scene.camera),
       background(scene.lighting.background),
       ambient(scene.lighting.ambient),
@@ -16,5 +16,6 @@ Model<T>::Model(const Scene& scene, const EffectSet& allowed)
 
 template struct Model<float>;
 template struct Model<double>;
+template struct Model<long double>;
 
 }  // namespace sir

@@ -29,7 +29,7 @@ struct Model {
   Colour<T> background, ambient;
   EffectSet effects;  ///< those that the scene calls for
 
-  Model(const Scene& scene, const EffectSet& allowed);
+  Model(const Scene& scene, const EffectSet& allowed, Formulas formulas = Formulas::robust);
 };
 
 }  // namespace sir

@@ -56,9 +56,10 @@ ExactSum cofactor(const glm::dmat3& a, int row, int column) {
 // The row's numerators are divided by `divisor`; scaled by powers of two so that
 // it comes to lie in [1,2) and coordinates in SC_LOCAL have their natural size
 // even before the division.
-void set_divisor(Inverse& inverse, int row, double divisor) {
+template <typename T>
+void set_divisor(InverseIn<T>& inverse, int row, T divisor) {
   const int shift = -std::ilogb(divisor);
-  const double sign = divisor < 0 ? -1 : 1;
+  const T sign = divisor < 0 ? T(-1) : T(1);
   inverse.divisors[row] = sign * std::ldexp(divisor, shift);
   for (int c = 0; c < 3; ++c)
     inverse.numerators[c][row] = sign * std::ldexp(inverse.numerators[c][row], shift);
@@ -66,8 +67,9 @@ void set_divisor(Inverse& inverse, int row, double divisor) {
 
 }  // namespace
 
-glm::dvec3 scaled_near_one(const glm::dvec3& v) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+template <typename T>
+glm::vec<3, T> scaled_near_one(const glm::vec<3, T>& v) {
+  const T largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (largest == 0) return v;
   const int exponent = -std::ilogb(largest);
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
@@ -78,21 +80,22 @@ bool is_singular(const glm::dmat3& m) {
   return !scaled || determinant(scaled->m).is_zero();
 }
 
-bool invert(const glm::dmat3& m, Inverse& inverse) {
+template <typename T>
+bool invert(const glm::dmat3& m, InverseIn<T>& inverse) {
   const auto scaled = balanced(m);
   if (!scaled) return false;
   const ExactSum det = determinant(scaled->m);
   if (det.is_zero()) return false;
 
-  bool all_exact = det.is_a_double();
+  bool all_exact = det.is_a<T>();
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column) {
       const ExactSum entry = cofactor(scaled->m, row, column);
-      inverse.numerators[column][row] = entry.value();
-      all_exact = all_exact && entry.is_a_double();
+      inverse.numerators[column][row] = entry.value<T>();
+      all_exact = all_exact && entry.is_a<T>();
     }
   for (int row = 0; row < 3; ++row) {
-    double divisor = det.value();
+    T divisor = det.value<T>();
     inverse.exact[row] = all_exact;
     int only = -1, entries = 0;
     for (int column = 0; column < 3; ++column)
@@ -109,8 +112,8 @@ bool invert(const glm::dmat3& m, Inverse& inverse) {
     set_divisor(inverse, row, divisor);
     for (int column = 0; column < 3; ++column) {
       // The way back: columns of the matrix are rows of the inverse.
-      double& entry = inverse.numerators[column][row];
-      const double balanced_entry = entry;
+      T& entry = inverse.numerators[column][row];
+      const T balanced_entry = entry;
       const int exponent = -scaled->column[row] - scaled->row[column];
       entry = std::ldexp(entry, exponent);
       if (!std::isfinite(entry)) return false;
@@ -119,5 +122,12 @@ bool invert(const glm::dmat3& m, Inverse& inverse) {
   }
   return true;
 }
+
+#define SIR_INSTANTIATE(T)                                        \
+  template glm::vec<3, T> scaled_near_one(const glm::vec<3, T>&); \
+  template bool invert(const glm::dmat3&, InverseIn<T>&);
+SIR_INSTANTIATE(double)
+SIR_INSTANTIATE(long double)
+#undef SIR_INSTANTIATE
 
 }  // namespace sir

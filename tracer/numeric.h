@@ -7,24 +7,55 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 namespace sir {
 
+/// T, but no narrower than the files' numbers: what is prepared once is prepared
+/// in this.
+template <typename T>
+using AtLeastDouble =
+    std::conditional_t<(std::numeric_limits<T>::digits < std::numeric_limits<double>::digits),
+                       double, T>;
+
+/// Whether a T needs more than one double to hold it. On x86 a long double has
+/// 64 binary digits; where it is the same as double, so is all that is done in it.
+template <typename T>
+inline constexpr bool kWiderThanDouble =
+    std::numeric_limits<T>::digits > std::numeric_limits<double>::digits;
+
+/// 2^exponent for constants, 0 where T has no such number.
+template <typename T>
+constexpr T power_of_two(int exponent) {
+  T power = 1;
+  for (; exponent < 0; ++exponent) power /= 2;
+  for (; exponent > 0; --exponent) power *= 2;
+  return power;
+}
+
 template <typename T>
 struct Numeric {
   static constexpr T kEpsilon = std::numeric_limits<T>::epsilon();
 
+  /// The files' numbers are doubles. Faces that are meant to coincide miss one
+  /// another by roundings of double, however finely t is known: in a wider T
+  /// what is "the same place" is as wide as in double.
+  static constexpr T kGrain =
+      kWiderThanDouble<T>
+          ? power_of_two<T>(std::numeric_limits<T>::digits - std::numeric_limits<double>::digits)
+          : T(1);
+
   /// Boundaries of a ray closer than this many units in the last place of t
   /// are one event: coincident faces are computed by different matrices and
-  /// differ by a few roundings.
-  static constexpr T kCoincidentUlps = 32;
+  /// differ by a few roundings. 32, of double's where T is wider.
+  static constexpr T kCoincidentUlps = 32 * kGrain;
 
   /// Roundings between the true start of a secondary ray and the computed one,
   /// in units of the coordinates that went into it.
-  static constexpr T kStartRoundings = 8;
+  static constexpr T kStartRoundings = 8 * kGrain;
 
   /// Boundaries are worked out with more digits where they may be off by more
   /// than this many roundings.
@@ -32,11 +63,20 @@ struct Numeric {
 
   /// Boxes are widened by as many roundings of the numbers that went into them,
   /// so that they never hide a hit.
-  static constexpr T kBoxRoundings = 64;
+  static constexpr T kBoxRoundings = 64 * kGrain;
 
   /// Products of two numbers of this size are normal still.
-  static constexpr T kWellAboveUnderflow = std::numeric_limits<T>::max_exponent > 200 ? T(1e-140)
-                                                                                      : T(1e-18f);
+  static constexpr T kWellAboveUnderflow = std::numeric_limits<T>::max_exponent > 16000
+                                               ? power_of_two<T>(-8000)
+                                           : std::numeric_limits<T>::max_exponent > 200 ? T(1e-140)
+                                                                                        : T(1e-18f);
+
+  /// Products of four numbers below this, and above its reciprocal, neither
+  /// overflow nor lose digits.
+  static constexpr T kModerate = std::numeric_limits<T>::max_exponent > 16000
+                                     ? power_of_two<T>(4000)
+                                 : std::numeric_limits<T>::max_exponent > 200 ? T(1e70)
+                                                                              : T(1e8f);
 
   /// Distance from |t| to the next larger number.
   static T ulp(T t) {
@@ -61,7 +101,8 @@ glm::vec<3, T> magnitudes(const glm::vec<3, T>& v) {
 
 /// `v` times a power of two that brings its largest component near 1 (zero stays
 /// zero), so that squares neither overflow nor underflow. Exact.
-glm::dvec3 scaled_near_one(const glm::dvec3& v);
+template <typename T>
+glm::vec<3, T> scaled_near_one(const glm::vec<3, T>& v);
 
 /// Whether the determinant is exactly zero, decided without rounding, so that a
 /// tiny solid is not taken for a flat one. Entries must be finite.
@@ -69,18 +110,21 @@ bool is_singular(const glm::dmat3& m);
 
 /// The inverse of a 3x3 matrix, row by row as numerators over a divisor. Of the
 /// many ways to write it, one whose products stay exact as long as can be:
-/// cofactors over the determinant, but where these do not fit into doubles an
+/// cofactors over the determinant, but where these do not fit into T an
 /// axis of its own, as in a scaling, is just divided by its length.
-struct Inverse {
-  glm::dmat3 numerators{1.0};          ///< numerators[column][row]
-  glm::dvec3 divisors{1.0};            ///< of each row, in [1,2)
+template <typename T>
+struct InverseIn {
+  glm::mat<3, 3, T> numerators{T(1)};  ///< numerators[column][row]
+  glm::vec<3, T> divisors{T(1)};       ///< of each row, in [1,2)
   bool exact[3] = {true, true, true};  ///< of each row: no number in it is rounded
-  double entry(int row, int column) const { return numerators[column][row] / divisors[row]; }
+  T entry(int row, int column) const { return numerators[column][row] / divisors[row]; }
 };
+using Inverse = InverseIn<double>;
 
 /// The inverse, each number off by less than a unit in its last place whatever
 /// the condition: cofactors and determinant are summed without rounding. False
-/// where the matrix is singular or its inverse does not fit.
-bool invert(const glm::dmat3& m, Inverse& inverse);
+/// where the matrix is singular or its inverse does not fit. T: double or wider.
+template <typename T>
+bool invert(const glm::dmat3& m, InverseIn<T>& inverse);
 
 }  // namespace sir

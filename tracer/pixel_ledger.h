@@ -28,7 +28,8 @@ class PixelLedger {
   /// At most `most` more may come.
   void expect(const Colour<T>& most) {
     awaited_ += most;
-    enter();
+    largest_ += std::max({most.r, most.g, most.b});
+    ++entries_;
   }
 
   /// Of what was expected, `most` is no longer to come: it came as `came`, which
@@ -36,14 +37,20 @@ class PixelLedger {
   void settle(const Colour<T>& most, const Colour<T>& came) {
     awaited_ -= most;
     come_ += came;
-    enter();
+    largest_ += std::max({came.r, came.g, came.b});
+    ++entries_;
   }
 
   /// Whether the bytes are the same whatever still comes.
   bool decided() const {
-    if (!sparing_) return false;
+    // Nearly always more than a level is to come: that is seen at once.
+    constexpr T kLevel = T(1) / 255;
+    if (!sparing_ || (awaited_.r > kLevel && come_.r < 1) || (awaited_.g > kLevel && come_.g < 1) ||
+        (awaited_.b > kLevel && come_.b < 1))
+      return false;
     // Each entry rounds two sums; the colours on the tree's way to the pixel
-    // take no more steps than there are entries, of four roundings each.
+    // take no more steps than there are entries, of four roundings each. No sum
+    // was ever larger than all entries together.
     const T slack = 8 * (entries_ + 8) * std::numeric_limits<T>::epsilon() * largest_;
     for (int channel = 0; channel < 3; ++channel) {
       const T least = come_[channel] - slack, most = come_[channel] + awaited_[channel] + slack;
@@ -53,12 +60,6 @@ class PixelLedger {
   }
 
  private:
-  void enter() {
-    ++entries_;
-    for (int channel = 0; channel < 3; ++channel)
-      largest_ = std::max(largest_, come_[channel] + std::abs(awaited_[channel]));
-  }
-
   Colour<T> come_{0}, awaited_{0};
   T largest_ = 0;
   T entries_ = 0;

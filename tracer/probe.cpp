@@ -51,6 +51,8 @@ std::unique_ptr<Prober> make_prober(const Scene& scene, Precision precision, Eng
   const glm::dvec3 offset = offset_for(scene, precision);
   if (precision == Precision::float_)
     return std::make_unique<ProberIn<float>>(scene, offset, engine);
+  if (precision == Precision::long_double)
+    return std::make_unique<ProberIn<long double>>(scene, offset, engine);
   return std::make_unique<ProberIn<double>>(scene, offset, engine);
 }
 

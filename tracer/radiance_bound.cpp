@@ -26,9 +26,13 @@ RadianceBound<T>::RadianceBound(const Model<T>& model, const TraceOptions& optio
   };
   std::vector<Sent> sent;
   T passed_on = 0;
+  std::vector<bool> seen(model.textures.size());
   for (const Leaf<T>& leaf : model.solid.leaves)
     for (int face = 0; face < face_count(leaf.kind); ++face) {
-      const Texture<T>& texture = model.textures[leaf.surfaces[static_cast<std::size_t>(face)]];
+      const std::uint32_t surface = leaf.surfaces[static_cast<std::size_t>(face)];
+      if (seen[surface]) continue;
+      seen[surface] = true;
+      const Texture<T>& texture = model.textures[surface];
       for (const Reflectance<T>* k : {&texture.first(), &texture.second()}) {
         sent.push_back({model.ambient * k->ambient + light * (k->diffuse + k->specular),
                         k->specular + k->transmission});
@@ -58,5 +62,6 @@ RadianceBound<T>::RadianceBound(const Model<T>& model, const TraceOptions& optio
 
 template class RadianceBound<float>;
 template class RadianceBound<double>;
+template class RadianceBound<long double>;
 
 }  // namespace sir

@@ -31,6 +31,7 @@ bool refracted(VectorCena<T> incident, VectorCena<T> normal, T n1, T n2, VectorC
   template bool refracted(VectorCena<T>, VectorCena<T>, T, T, VectorCena<T>&);
 SIR_INSTANTIATE(float)
 SIR_INSTANTIATE(double)
+SIR_INSTANTIATE(long double)
 #undef SIR_INSTANTIATE
 
 }  // namespace sir

@@ -25,5 +25,8 @@ template Colour<float> light_reaching(const Model<float>&, Classifier<float>&, c
 template Colour<double> light_reaching(const Model<double>&, Classifier<double>&,
                                        const Hit<double>&, VectorCena<double>,
                                        const PointLight<double>&);
+template Colour<long double> light_reaching(const Model<long double>&, Classifier<long double>&,
+                                            const Hit<long double>&, VectorCena<long double>,
+                                            const PointLight<long double>&);
 
 }  // namespace sir

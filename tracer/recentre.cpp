@@ -5,7 +5,7 @@
 namespace sir {
 
 glm::dvec3 offset_for(const Scene& scene, Precision precision) {
-  if (precision == Precision::double_) return glm::dvec3(0);
+  if (precision != Precision::float_) return glm::dvec3(0);
   Bounds<double> all;
   for (const CsgNode& node : scene.tree.nodes) {
     if (node.composite) continue;

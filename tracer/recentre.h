@@ -8,7 +8,7 @@
 namespace sir {
 
 /// What to subtract from every position of the scene before it is rounded to the
-/// precision: 0 for double, and for scenes within 16 of their sizes of the
+/// precision: 0 for double and wider, and for scenes within 16 of their sizes of the
 /// origin, whose numbers had better stay as they are; else the centre of the
 /// primitives' envelope, cut to float so that differences are short.
 glm::dvec3 offset_for(const Scene& scene, Precision precision);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tracer/recentre.h"
+#include "tracer/sample_antialias.h"
 #include "tracer/trace.h"
 
 namespace sir {
@@ -21,7 +22,7 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
   const Region region = region_or_all(options.region, options.size);
   RenderResult result;
   const auto start = std::chrono::steady_clock::now();
-  const Model<T> model(scene, options.trace.allowed_effects);
+  const Model<T> model(scene, options.trace.allowed_effects, options.trace.formulas);
   result.effects = model.effects;
   result.prepare_seconds = seconds_since(start);
 
@@ -49,7 +50,7 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
 
 template <typename T>
 PixelTrace trace_pixel_in(const Scene& scene, const RenderOptions& options, int i, int j) {
-  const Model<T> model(scene, options.trace.allowed_effects);
+  const Model<T> model(scene, options.trace.allowed_effects, options.trace.formulas);
   Tracer<T> tracer(model, options.trace);
   PixelTrace result;
   result.pixel =
@@ -70,14 +71,19 @@ Region region_or_all(const Region& region, ImageSize size) {
 
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::function<void(double)>& progress, std::stop_token stop) {
+  if (options.antialiased()) return render_antialiased(scene, options, progress, stop);
   if (options.precision == Precision::double_)
     return render_in<double>(scene, options, progress, stop);
+  if (options.precision == Precision::long_double)
+    return render_in<long double>(scene, options, progress, stop);
   const glm::dvec3 offset = offset_for(scene, options.precision);
   return render_in<float>(recentred(scene, offset), options, progress, stop);
 }
 
 PixelTrace trace_pixel(const Scene& scene, const RenderOptions& options, int i, int j) {
   if (options.precision == Precision::double_) return trace_pixel_in<double>(scene, options, i, j);
+  if (options.precision == Precision::long_double)
+    return trace_pixel_in<long double>(scene, options, i, j);
   const glm::dvec3 offset = offset_for(scene, options.precision);
   PixelTrace result = trace_pixel_in<float>(recentred(scene, offset), options, i, j);
   for (TraceNode& node : result.log) {

@@ -2,6 +2,7 @@
 // planes.
 #pragma once
 
+#include "tracer/antialias.h"
 #include "tracer/ray_counts.h"
 #include "tracer/tiles.h"
 #include "tracer/trace_log.h"
@@ -9,7 +10,11 @@
 
 namespace sir {
 
-enum class Precision : std::uint8_t { float_, double_ };
+/// The scalar type of all tracing. long_double is the compiler's: 80 bits, 64 of
+/// them digits, on x86; where it is the same as double, so are the images. The
+/// files' numbers are doubles, so what coincides in them does by double's measure
+/// (Numeric::kGrain).
+enum class Precision : std::uint8_t { float_, double_, long_double };
 
 struct RenderOptions {
   ImageSize size;
@@ -17,6 +22,12 @@ struct RenderOptions {
   int threads = 0;  ///< 0: as many as cores
   Precision precision = Precision::double_;
   TraceOptions trace;
+  AntialiasOptions antialias;
+
+  /// Whether more than one ray a pixel is both wanted and allowed.
+  bool antialiased() const {
+    return antialias.mode != Antialias::none && trace.allowed_effects.antialias;
+  }
 };
 
 /// The region, or the whole image where it is empty. Throws
@@ -26,6 +37,7 @@ Region region_or_all(const Region& region, ImageSize size);
 struct RenderResult {
   Planes planes;  ///< of the region
   RayCounts counts;
+  AntialiasCounts antialias;
   double prepare_seconds = 0;  ///< matrices, envelopes, hierarchy
   double trace_seconds = 0;
   EffectSet effects;     ///< those that ran
@@ -35,7 +47,8 @@ struct RenderResult {
 /// Renders; the planes are the same for any number of threads. `progress`, if
 /// given, is called now and then from any thread, one call at a time, with the
 /// share of the pixels done, in [0,1]. A stop request ends it within a row of a
-/// tile. Throws std::invalid_argument for a region outside the image.
+/// tile. Throws std::invalid_argument for a region outside the image and for options
+/// of antialiasing out of their ranges.
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::function<void(double)>& progress = {}, std::stop_token stop = {});
 

@@ -17,23 +17,11 @@ T highlight(const Hit<T>& hit, VectorCena<T> light) {
   return std::pow(cosine, hit.reflectance->exponent);
 }
 
-// The way to a light, and the cosine that it falls in with: 0 where the light
-// does not count.
+// The most that a light can bring: it falls in straight, there is no shadow, and
+// the highlight is at its brightest.
 template <typename T>
-struct Incidence {
-  VectorCena<T> to_light;
-  T distance, cosine;
-  Incidence(const Hit<T>& hit, const PointLight<T>& source)
-      : to_light(source.position - hit.point), distance(length(to_light)) {
-    cosine = distance > 0 ? std::max(T(0), dot(hit.normal, to_light) / distance) : T(0);
-  }
-};
-
-// The most that a light can bring: no shadow, and the highlight at its brightest.
-template <typename T>
-Colour<T> most_of(const Hit<T>& hit, const PointLight<T>& source, T cosine) {
-  if (!(cosine > 0)) return Colour<T>(0);
-  return source.intensity * (hit.reflectance->diffuse * cosine + hit.reflectance->specular);
+Colour<T> most_of(const Reflectance<T>& k, const PointLight<T>& source) {
+  return source.intensity * (k.diffuse + k.specular);
 }
 
 }  // namespace
@@ -45,24 +33,27 @@ Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& 
   const EffectSet& effects = model.effects;
   Colour<T> sum = model.ambient * k.ambient;
   if (ledger) {
+    Colour<T> most(0);
+    for (const PointLight<T>& source : model.lights) most += most_of(k, source);
+    ledger->expect(weight * most);
     ledger->settle(Colour<T>(0), weight * sum);
-    for (const PointLight<T>& source : model.lights)
-      ledger->expect(weight * most_of(hit, source, Incidence<T>(hit, source).cosine));
   }
   for (const PointLight<T>& source : model.lights) {
-    const Incidence<T> incidence(hit, source);
-    const bool lit = incidence.cosine > 0;
+    const VectorCena<T> to_light = source.position - hit.point;
+    const T distance = length(to_light);
+    const T cosine = distance > 0 ? dot(hit.normal, to_light) / distance : T(0);
+    const bool lit = cosine > 0;
+    const Colour<T> most = most_of(k, source);
+    const bool asked = effects.exhaustive ? distance > 0 : lit && (log || most != Colour<T>(0));
     Colour<T> arriving(0), came(0);
-    if (lit || (effects.exhaustive && incidence.distance > 0)) {
+    if (asked) {
       arriving = source.intensity;
-      const bool matters =
-          effects.exhaustive || log || most_of(hit, source, incidence.cosine) != Colour<T>(0);
-      if (effects.shadow && matters) {
+      if (effects.shadow) {
         if (ledger && ledger->decided()) {
           ++counts.spared;
           continue;
         }
-        arriving = light_reaching(model, classifier, hit, incidence.to_light, source);
+        arriving = light_reaching(model, classifier, hit, to_light, source);
         ++counts.shadow;
         counts.spans += classifier.spans();
       }
@@ -70,13 +61,13 @@ Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& 
     if (!lit) arriving = Colour<T>(0);
     if (log) log->push_back(glm::dvec3(arriving));
     if (lit && arriving != Colour<T>(0)) {
-      Colour<T> factor = k.diffuse * incidence.cosine;
+      Colour<T> factor = k.diffuse * cosine;
       if (effects.highlight && k.specular > 0)
-        factor += k.specular * highlight(hit, incidence.to_light * (1 / incidence.distance));
+        factor += k.specular * highlight(hit, to_light * (1 / distance));
       came = arriving * factor;
       sum += came;
     }
-    if (ledger) ledger->settle(weight * most_of(hit, source, incidence.cosine), weight * came);
+    if (ledger) ledger->settle(weight * most, weight * came);
   }
   return sum;
 }
@@ -85,5 +76,8 @@ template Colour<float> shade(const Model<float>&, Classifier<float>&, const Hit<
                              std::vector<glm::dvec3>*, PixelLedger<float>*, float);
 template Colour<double> shade(const Model<double>&, Classifier<double>&, const Hit<double>&,
                               RayCounts&, std::vector<glm::dvec3>*, PixelLedger<double>*, double);
+template Colour<long double> shade(const Model<long double>&, Classifier<long double>&,
+                                   const Hit<long double>&, RayCounts&, std::vector<glm::dvec3>*,
+                                   PixelLedger<long double>*, long double);
 
 }  // namespace sir

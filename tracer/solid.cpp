@@ -16,16 +16,17 @@ template <typename T>
 
 // Counts the roundings between a ray's coordinates and those in SC_LOCAL.
 template <typename T>
-void weigh_roundings(const Inverse& inverse, Leaf<T>& leaf) {
+void weigh_roundings(const InverseIn<AtLeastDouble<T>>& inverse, Leaf<T>& leaf) {
   constexpr T kRoundoff = Numeric<T>::kEpsilon / 2;
   for (int row = 0; row < 3; ++row) {
     const T divisor = leaf.placement.divisors[row];
-    const bool exact_divisor = inverse.exact[row] && double(divisor) == inverse.divisors[row];
+    const bool exact_divisor =
+        inverse.exact[row] && AtLeastDouble<T>(divisor) == inverse.divisors[row];
     bool exact = inverse.exact[row], trivial = true;
     int terms = 0;
     for (int column = 0; column < 3; ++column) {
       const T entry = leaf.placement.numerators[column][row];
-      exact = exact && double(entry) == inverse.numerators[column][row];
+      exact = exact && AtLeastDouble<T>(entry) == inverse.numerators[column][row];
       if (entry == 0) continue;
       ++terms;
       trivial = trivial && std::abs(entry) == std::exp2(static_cast<T>(std::ilogb(entry)));
@@ -45,19 +46,20 @@ void weigh_roundings(const Inverse& inverse, Leaf<T>& leaf) {
 
 // The pace, and whether the inverse's entries are far enough above underflow.
 template <typename T>
-void set_pace(const Inverse& inverse, Leaf<T>& leaf) {
-  double largest = 0, least = std::numeric_limits<double>::infinity();
+void set_pace(const InverseIn<AtLeastDouble<T>>& inverse, Leaf<T>& leaf) {
+  using Wider = AtLeastDouble<T>;
+  Wider largest = 0, least = std::numeric_limits<Wider>::infinity();
   bool kept = true;
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) {
-      const double entry = std::abs(inverse.numerators[column][row]);
+      const Wider entry = std::abs(inverse.numerators[column][row]);
       const T rounded = std::abs(leaf.placement.numerators[column][row]);
       if (entry == 0) continue;
       kept = kept && std::isnormal(rounded);
       largest = std::max(largest, entry);
       least = std::min(least, entry);
     }
-  leaf.tame = kept && least > double(Numeric<T>::kWellAboveUnderflow) * largest;
+  leaf.tame = kept && least > Wider(Numeric<T>::kWellAboveUnderflow) * largest;
   if (leaf.tame) leaf.pace = std::ldexp(T(1), -std::ilogb(largest));
   leaf.tame = leaf.tame && std::isnormal(leaf.pace);
 }
@@ -66,7 +68,7 @@ template <typename T>
 Leaf<T> make_leaf(const CsgNode& node,
                   const std::unordered_map<std::int64_t, std::uint32_t>& surface_index) {
   Leaf<T> leaf;
-  Inverse inverse;
+  InverseIn<AtLeastDouble<T>> inverse;
   invert(node.placement.linear, inverse);  // the reader has refused singular ones
   leaf.placement.linear = glm::mat<3, 3, T>(node.placement.linear);
   leaf.placement.numerators = glm::mat<3, 3, T>(inverse.numerators);
@@ -79,7 +81,7 @@ Leaf<T> make_leaf(const CsgNode& node,
     leaf.translation_slack[axis] = lost_in_rounding<T>(node.placement.translation[axis]);
   leaf.stretch = 0;
   for (int row = 0; row < 3; ++row) {
-    double sum = 0;
+    AtLeastDouble<T> sum = 0;
     for (int column = 0; column < 3; ++column) sum += std::abs(inverse.entry(row, column));
     leaf.stretch = std::max(leaf.stretch, static_cast<T>(sum));
   }
@@ -162,7 +164,7 @@ Rewritten rewrite(Operation operation, bool complemented) {
 }  // namespace
 
 template <typename T>
-Solid<T> build_solid(const Scene& scene) {
+Solid<T> build_solid(const Scene& scene, Formulas formulas) {
   std::unordered_map<std::int64_t, std::uint32_t> surface_index;
   for (const Surface& surface : scene.surfaces)
     surface_index.emplace(surface.number, static_cast<std::uint32_t>(surface_index.size()));
@@ -228,6 +230,9 @@ Solid<T> build_solid(const Scene& scene) {
   boxes.reserve(solid.leaves.size());
   for (const Leaf<T>& leaf : solid.leaves) boxes.push_back(bounds_of(leaf.kind, leaf.placement));
   solid.hierarchy = Hierarchy<T>(boxes);
+  if (formulas == Formulas::textbook)
+    for (std::size_t leaf = 0; leaf < solid.leaves.size(); ++leaf)
+      solid.textbook.emplace_back(solid.leaves[leaf].kind, solid.placements[leaf]);
   return solid;
 }
 
@@ -247,7 +252,9 @@ T clearance(const Solid<T>& solid, PointCena<T> point) {
 
 template float clearance(const Solid<float>&, PointCena<float>);
 template double clearance(const Solid<double>&, PointCena<double>);
-template Solid<float> build_solid(const Scene&);
-template Solid<double> build_solid(const Scene&);
+template long double clearance(const Solid<long double>&, PointCena<long double>);
+template Solid<float> build_solid(const Scene&, Formulas);
+template Solid<double> build_solid(const Scene&, Formulas);
+template Solid<long double> build_solid(const Scene&, Formulas);
 
 }  // namespace sir

@@ -10,6 +10,7 @@
 #include "tracer/frames.h"
 #include "tracer/hierarchy.h"
 #include "tracer/intersect.h"
+#include "tracer/intersect_textbook.h"
 #include "tracer/scene.h"
 
 namespace sir {
@@ -94,14 +95,16 @@ struct Solid {
   std::vector<Gate> gates;
   std::vector<Product> products;
   std::vector<PolishStep> polish;
-  std::vector<Placement> placements;  ///< of each leaf, as in the file
-  Hierarchy<T> hierarchy;             ///< over the leaves' envelopes
+  std::vector<Placement> placements;      ///< of each leaf, as in the file
+  Hierarchy<T> hierarchy;                 ///< over the leaves' envelopes
+  std::vector<TextbookLeaf<T>> textbook;  ///< of each leaf, for rays to be traced by the textbook's
+                                          ///< formulas; else none
 };
 
 /// Builds the solid of a scene that has been read (surfaces known, matrices
 /// not singular). Never recurses.
 template <typename T>
-Solid<T> build_solid(const Scene& scene);
+Solid<T> build_solid(const Scene& scene, Formulas formulas = Formulas::robust);
 
 /// How far a point is at least from every primitive that adds to the solid: the
 /// largest of the three distances along the axes of SC_CENA to its envelope; 0

@@ -101,6 +101,7 @@ bool on_face(PrimitiveKind kind, int face, PointLocal<T> p, T tolerance) {
   template bool on_face(PrimitiveKind, int, PointLocal<T>, T);
 SIR_INSTANTIATE(float)
 SIR_INSTANTIATE(double)
+SIR_INSTANTIATE(long double)
 #undef SIR_INSTANTIATE
 
 }  // namespace sir

@@ -29,5 +29,6 @@ const Reflectance<T>& Texture<T>::at(TextureUv<T> uv, bool texture_effect) const
 
 template class Texture<float>;
 template class Texture<double>;
+template class Texture<long double>;
 
 }  // namespace sir

@@ -61,7 +61,7 @@ bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T
     ledger_.settle(most, path_weight * model_.background);
     return false;
   }
-  Open open{};
+  Open& open = stack_.emplace_back();
   open.hit = hit_at(model_, ray, boundary);
   open.path_weight = path_weight;
   open.depth = depth;
@@ -78,7 +78,6 @@ bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T
   open.colour = shade(model_, classifier_, open.hit, counts_,
                       log_ ? &(*log_)[log_index].lights : nullptr, &ledger_, path_weight);
   if (log_) log_hit(open);
-  stack_.push_back(open);
   return true;
 }
 
@@ -208,5 +207,6 @@ void Tracer<T>::deliver(Colour<T> colour) {
 
 template class Tracer<float>;
 template class Tracer<double>;
+template class Tracer<long double>;
 
 }  // namespace sir

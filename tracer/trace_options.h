@@ -17,6 +17,7 @@ struct TraceOptions {
   PastLimit past_limit = PastLimit::zero;
   EffectSet allowed_effects;
   Engine engine = Engine::gates;
+  Formulas formulas = Formulas::robust;  ///< what render() makes the Model for
 };
 
 }  // namespace sir

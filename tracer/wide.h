@@ -40,6 +40,17 @@ class Wide {
     if (!std::isfinite(cut)) return cut;
     return cut + mpf_class(a.v_ - cut).get_d();
   }
+  /// a times 2^exponent as the nearest T wider than double, but for the last of
+  /// three doubles' digits.
+  template <typename T>
+  friend T nearest_wider(const Wide& a, int exponent) {
+    long shift = 0;
+    const double first = mpf_get_d_2exp(&shift, a.v_.get_mpf_t());
+    const Wide rest = times_power_of_two(a, static_cast<int>(-shift)) - Wide(first);
+    const double second = rest.v_.get_d();
+    const T low = T(second) + T(mpf_class(rest.v_ - second).get_d());
+    return std::ldexp(T(first) + low, static_cast<int>(shift) + exponent);
+  }
   friend int sign_of(const Wide& a) { return sgn(a.v_); }
 
  private:

@@ -1,0 +1,19 @@
+// Rendering with more than one ray a pixel (thesis 2.4.5).
+#pragma once
+
+#include "tracer/render.h"
+#include "tracer/sample_points.h"
+
+namespace sir {
+
+/// render() by options.antialias, which is not `none`; same arguments, same errors. A
+/// stop request takes effect within a ray; the planes of what was not finished are black.
+RenderResult render_antialiased(const Scene& scene, const RenderOptions& options,
+                                const std::function<void(double)>& progress = {},
+                                std::stop_token stop = {});
+
+/// The same with a source of samples for the options' image: fills in result.planes and
+/// result.antialias; false where it was stopped.
+bool antialias(const RenderOptions& options, const SampleSource& source, RenderResult& result);
+
+}  // namespace sir

@@ -1,0 +1,95 @@
+#include "tracer/sample_points.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "tracer/recentre.h"
+#include "tracer/trace.h"
+
+namespace sir {
+
+// One of the scalar types behind a common face.
+class PointSampler::Work {
+ public:
+  virtual ~Work() = default;
+  virtual bool trace(std::span<const ScreenPoint> points, std::span<Rgb8> colours,
+                     const std::function<void(double)>& progress, const std::stop_token& stop) = 0;
+  virtual RayCounts counts() const = 0;
+  virtual const EffectSet& effects() const = 0;
+};
+
+template <typename T>
+class PointSampler::WorkIn final : public PointSampler::Work {
+ public:
+  WorkIn(const Scene& scene, const RenderOptions& options)
+      : options_(options), model_(scene, options.trace.allowed_effects) {
+    effects_ = model_.effects;
+    effects_.antialias = options.antialiased();
+  }
+
+  bool trace(std::span<const ScreenPoint> points, std::span<Rgb8> colours,
+             const std::function<void(double)>& progress, const std::stop_token& stop) override {
+    constexpr std::size_t kPiece = 64;  // points; few, so that the last pieces end together
+    std::size_t workers = 0;
+    const auto make_worker = [&]() -> PieceWorker {
+      if (workers == tracers_.size())
+        tracers_.push_back(std::make_unique<Tracer<T>>(model_, options_.trace));
+      return [&, tracer = tracers_[workers++].get()](std::int64_t piece) {
+        const std::size_t begin = static_cast<std::size_t>(piece) * kPiece;
+        const std::size_t end = std::min(begin + kPiece, points.size());
+        for (std::size_t p = begin; p < end && !stop.stop_requested(); ++p)
+          colours[p] =
+              tracer->pixel(model_.camera.ray_through(points[p].x, points[p].y, options_.size));
+      };
+    };
+    const auto pieces = static_cast<std::int64_t>((points.size() + kPiece - 1) / kPiece);
+    return for_each_piece(pieces, options_.threads, make_worker, progress, stop);
+  }
+
+  RayCounts counts() const override {
+    RayCounts sum;
+    for (const auto& tracer : tracers_) sum += tracer->counts();
+    return sum;
+  }
+
+  const EffectSet& effects() const override { return effects_; }
+
+ private:
+  RenderOptions options_;
+  Model<T> model_;
+  EffectSet effects_;
+  std::vector<std::unique_ptr<Tracer<T>>> tracers_;
+};
+
+PointSampler::PointSampler(const Scene& scene, const RenderOptions& options) {
+  if (options.precision == Precision::double_) {
+    work_ = std::make_unique<WorkIn<double>>(scene, options);
+    return;
+  }
+  const glm::dvec3 offset = offset_for(scene, options.precision);
+  work_ = std::make_unique<WorkIn<float>>(recentred(scene, offset), options);
+}
+
+PointSampler::~PointSampler() = default;
+PointSampler::PointSampler(PointSampler&&) noexcept = default;
+PointSampler& PointSampler::operator=(PointSampler&&) noexcept = default;
+
+bool PointSampler::trace(std::span<const ScreenPoint> points, std::span<Rgb8> colours,
+                         const std::function<void(double)>& progress, const std::stop_token& stop) {
+  return work_->trace(points, colours, progress, stop);
+}
+
+SampleSource PointSampler::source(std::function<void(double)> progress, std::stop_token stop) {
+  return [this, progress = std::move(progress), stop = std::move(stop)](
+             std::span<const ScreenPoint> points, std::span<Rgb8> colours, const Share& share) {
+    std::function<void(double)> report;
+    if (progress)
+      report = [&](double done) { progress(share.from + done * (share.to - share.from)); };
+    return trace(points, colours, report, stop);
+  };
+}
+
+RayCounts PointSampler::counts() const { return work_->counts(); }
+const EffectSet& PointSampler::effects() const { return work_->effects(); }
+
+}  // namespace sir
