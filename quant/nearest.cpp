@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "quant/inverse_map.h"
+
 namespace sir::quant {
 namespace {
 
@@ -68,8 +70,13 @@ std::vector<std::uint8_t> map_exhaustively(const Planes& image, const Lut& lut) 
   return indices;
 }
 
-std::vector<std::uint8_t> map_to_lut(const Planes& image, const Lut& lut) {
+std::vector<std::uint8_t> map_to_lut(const Planes& image, const Lut& lut, Mapping mapping) {
   std::vector<std::uint8_t> indices(image.size.pixels());
+  if (mapping == Mapping::approximate) {
+    InverseMap map(lut);
+    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = map(image.at(i));
+    return indices;
+  }
   NearestSearch search(lut);
   Memory memory;
   for (std::size_t i = 0; i < indices.size(); ++i) {

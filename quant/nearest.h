@@ -15,9 +15,17 @@ namespace sir::quant {
 /// All 256 entries are compared.
 std::uint8_t nearest_entry(Rgb8 colour, const Lut& lut);
 
-/// The image as LUT indices, one a pixel, rows from the top. Equal to
-/// nearest_entry on every pixel, but faster (NearestSearch).
-std::vector<std::uint8_t> map_to_lut(const Planes& image, const Lut& lut);
+/// How pixels are mapped. The thesis and all of SIR take the nearest entry; the
+/// other is there to price it.
+enum class Mapping : std::uint8_t {
+  exact,       ///< nearest_entry() on every pixel
+  approximate  ///< InverseMap: a colour takes the entry of its cell of the lattice
+};
+
+/// The image as LUT indices, one a pixel, rows from the top. With Mapping::exact
+/// equal to nearest_entry on every pixel, but faster (NearestSearch).
+std::vector<std::uint8_t> map_to_lut(const Planes& image, const Lut& lut,
+                                     Mapping mapping = Mapping::exact);
 
 /// The same by the definition, pixel by pixel: 256 comparisons each.
 std::vector<std::uint8_t> map_exhaustively(const Planes& image, const Lut& lut);

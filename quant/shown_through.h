@@ -2,11 +2,12 @@
 #pragma once
 
 #include "quant/lut.h"
+#include "quant/nearest.h"
 #include "tracer/planes.h"
 
 namespace sir::quant {
 
-/// Each pixel as its nearest entry (map_to_lut) is seen.
-Planes shown_through(const Planes& image, const Lut& lut);
+/// Each pixel as its entry (map_to_lut) is seen: the nearest, unless told otherwise.
+Planes shown_through(const Planes& image, const Lut& lut, Mapping mapping = Mapping::exact);
 
 }  // namespace sir::quant

@@ -43,6 +43,7 @@ TEST_F(CliTest, WrongUsageExitsWith2AndNamesTheOption) {
            {{"render", "s", "--past-limit", "one"}, "--past-limit"},
            {{"render", "s", "--threads", "0"}, "--threads"},
            {{"render", "s", "--precision", "half"}, "--precision"},
+           {{"render", "s", "--formulas", "best"}, "--formulas"},
            {{"render", "s", "--effects", "shadow,glow"}, "--effects"},
            {{"render", "s", "--effects", ""}, "--effects"},
            {{"render", "s", "--antialias", ""}, "--antialias"},

@@ -146,6 +146,10 @@ TEST_F(CliTest, StatsAreJson) {
   EXPECT_EQ(stats["height"], 48);
   EXPECT_EQ(stats["rays"]["primary"], 64 * 48);
   EXPECT_EQ(stats["precision"], "double");
+  EXPECT_EQ(stats["formulas"], "robust");
+  const Ended plain = sir({"render", "s", "--size", "8x6", "--stats", "--formulas", "textbook"});
+  EXPECT_EQ(json::parse(plain.out)["formulas"], "textbook");
+  EXPECT_EQ(json::parse(plain.out)["exact_intersections"], 0);
   const Ended wide = sir({"render", "s", "--size", "8x6", "--stats", "--precision", "long-double"});
   EXPECT_EQ(json::parse(wide.out)["precision"], "long-double");
   EXPECT_EQ(stats["primitives"], 2);

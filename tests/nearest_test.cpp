@@ -1,14 +1,18 @@
-// The fast search equals the exhaustive one, index for index.
+// The fast search equals the exhaustive one, index for index; the approximate one errs
+// by no more than its lattice.
 #include "quant/nearest.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
 
 #include "quant/choose.h"
+#include "quant/inverse_map.h"
+#include "quant/shown_through.h"
 
 namespace sir::quant {
 namespace {
@@ -135,7 +139,94 @@ TEST(NearestSearch, EqualsTheDefinitionAllOverTheCube) {
   }
 }
 
+int square_distance(Rgb8 a, Rgb8 b) {
+  return (a.r - b.r) * (a.r - b.r) + (a.g - b.g) * (a.g - b.g) + (a.b - b.b) * (a.b - b.b);
+}
+
+// Codes 1, 3, 5, 7, 9 are seen as 4, 12, 20, 28, 36: the middles of the first five cells
+// of an axis, but for half a level. The later ones come first, so that a colour half-way
+// between two belongs to the cell that it lies in.
+TEST(InverseMap, IsExactWhereEntriesAreTheCellsCentres) {
+  std::vector<Code6> codes;
+  for (int i = 124; i >= 0; --i)
+    codes.push_back({static_cast<std::uint8_t>(i / 25 * 2 + 1),
+                     static_cast<std::uint8_t>(i / 5 % 5 * 2 + 1),
+                     static_cast<std::uint8_t>(i % 5 * 2 + 1)});
+  const Lut lut = make_lut(codes);
+  Planes image(ImageSize{40, 1600});
+  for (int i = 0; i < 64000; ++i)
+    image.set(static_cast<std::size_t>(i),
+              {static_cast<std::uint8_t>(i / 1600), static_cast<std::uint8_t>(i / 40 % 40),
+               static_cast<std::uint8_t>(i % 40)});
+  EXPECT_EQ(map_to_lut(image, lut, Mapping::approximate), map_exhaustively(image, lut));
+  EXPECT_EQ(shown_through(image, lut, Mapping::approximate), shown_through(image, lut));
+}
+
+// By the definition, from centres in half levels.
+TEST(InverseMap, TakesTheEntryNearestToTheCellsCentre) {
+  std::mt19937 random(15);
+  const Lut lut = random_lut(random, 200, 0, 64);
+  InverseMap map(lut);
+  for (int n = 0; n < 3000; ++n) {
+    const Rgb8 low{static_cast<std::uint8_t>(random() % 32 * 8),
+                   static_cast<std::uint8_t>(random() % 32 * 8),
+                   static_cast<std::uint8_t>(random() % 32 * 8)};
+    std::size_t best = 0;
+    double least = 1e9;
+    for (std::size_t i = 0; i < 256; ++i) {
+      const Rgb8 e = seen(lut.entry[i]);
+      const double r = e.r - (low.r + 3.5), g = e.g - (low.g + 3.5), b = e.b - (low.b + 3.5);
+      const double distance = r * r + g * g + b * b;
+      if (distance >= least) continue;
+      least = distance;
+      best = i;
+    }
+    const auto within = [&](std::uint8_t edge) {
+      return static_cast<std::uint8_t>(edge + random() % 8);
+    };
+    ASSERT_EQ(map({within(low.r), within(low.g), within(low.b)}), best);
+  }
+}
+
+TEST(InverseMap, ErrsByACellsDiagonalAtMost) {
+  std::mt19937 random(16);
+  double worst = 0;
+  std::size_t wrong = 0;
+  for (const std::size_t colours : {2, 40, 256}) {
+    for (const unsigned levels : {3u, 12u, 64u}) {
+      const Lut lut = random_lut(random, colours, kAnywhere, levels);
+      InverseMap map(lut);
+      for (int n = 0; n < 40000; ++n) {
+        const Rgb8 colour{static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
+                          static_cast<std::uint8_t>(random())};
+        const int exact = square_distance(colour, seen(lut.entry[nearest_entry(colour, lut)]));
+        const int got = square_distance(colour, seen(lut.entry[map(colour)]));
+        ASSERT_GE(got, exact);
+        wrong += got != exact;
+        worst = std::max(worst, std::sqrt(got) - std::sqrt(exact));
+      }
+    }
+  }
+  EXPECT_LE(worst, InverseMap::kWorst);
+  EXPECT_GT(worst, 1);  // it is not the exact search in disguise
+  EXPECT_GT(wrong, 0u);
+  // Near the bound: seen as 0 and 8, of which 0 is nearer to the centre 3.5, the entries
+  // are 7 and 1 levels away on each axis.
+  const Lut corner = make_lut(std::vector<Code6>{{0, 0, 0}, {2, 2, 2}});
+  EXPECT_EQ(nearest_entry({7, 7, 7}, corner), 1);
+  EXPECT_EQ(InverseMap(corner)({7, 7, 7}), 0);
+}
+
+TEST(InverseMap, IsUsedWhereItIsAskedFor) {
+  std::mt19937 random(17);
+  const Lut lut = random_lut(random, 256, 0, 64);
+  const Planes image = noise(6);
+  EXPECT_EQ(map_to_lut(image, lut), map_to_lut(image, lut, Mapping::exact));
+  EXPECT_NE(map_to_lut(image, lut), map_to_lut(image, lut, Mapping::approximate));
+}
+
 TEST(MapToLut, OfNoPixelsIsEmpty) {
+  EXPECT_TRUE(map_to_lut(Planes(ImageSize{0, 0}), Lut{}, Mapping::approximate).empty());
   EXPECT_TRUE(map_to_lut(Planes(ImageSize{0, 0}), Lut{}).empty());
 }
 

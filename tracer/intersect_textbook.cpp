@@ -1,5 +1,6 @@
 #include "tracer/intersect_textbook.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -9,42 +10,41 @@
 namespace sir {
 namespace {
 
-// What is left of the line, and the faces at its ends.
+// What is left of the line, and the faces at its ends. Choices are written so that
+// they compile to selections: which way they go is anyone's guess.
 template <typename T>
 class Rest {
  public:
   void enter_at(T t, std::uint8_t face) {
-    if (t > enter_) {
-      enter_ = t;
-      enter_face_ = face;
-    }
+    enter_face_ = t > enter_ ? face : enter_face_;
+    enter_ = std::max(enter_, t);
   }
   void leave_at(T t, std::uint8_t face) {
-    if (t < leave_) {
-      leave_ = t;
-      leave_face_ = face;
-    }
+    leave_face_ = t < leave_ ? face : leave_face_;
+    leave_ = std::min(leave_, t);
   }
   // 0 < coordinate < 1; false where a parallel line lies outside.
   bool slab(T o, T d, std::uint8_t low_face, std::uint8_t high_face) {
     if (d == 0) return o > 0 && o < 1;
-    T low = -o / d, high = (1 - o) / d;
-    if (low > high) {
-      std::swap(low, high);
-      std::swap(low_face, high_face);
-    }
-    enter_at(low, low_face);
-    leave_at(high, high_face);
+    const T a = -o / d, b = (1 - o) / d;
+    const bool down = d < 0;
+    enter_at(std::min(a, b), down ? high_face : low_face);
+    leave_at(std::max(a, b), down ? low_face : high_face);
     return true;
   }
   bool to_span(Span<T>& span) const {
-    span = {enter_, leave_, 0, 0, enter_face_, leave_face_};
+    span = {enter_,
+            leave_,
+            0,
+            0,
+            static_cast<std::uint8_t>(enter_face_),
+            static_cast<std::uint8_t>(leave_face_)};
     return enter_ < leave_;
   }
 
  private:
   T enter_ = -std::numeric_limits<T>::infinity(), leave_ = std::numeric_limits<T>::infinity();
-  std::uint8_t enter_face_ = 0, leave_face_ = 0;
+  int enter_face_ = 0, leave_face_ = 0;
 };
 
 // Roots of a t^2 + b t + c, lower first.

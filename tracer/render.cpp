@@ -22,7 +22,7 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
   const Region region = region_or_all(options.region, options.size);
   RenderResult result;
   const auto start = std::chrono::steady_clock::now();
-  const Model<T> model(scene, options.trace.allowed_effects, options.trace.formulas);
+  const Model<T> model(scene, options.trace.possible_effects(), options.trace.formulas);
   result.effects = model.effects;
   result.prepare_seconds = seconds_since(start);
 
@@ -50,7 +50,7 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
 
 template <typename T>
 PixelTrace trace_pixel_in(const Scene& scene, const RenderOptions& options, int i, int j) {
-  const Model<T> model(scene, options.trace.allowed_effects, options.trace.formulas);
+  const Model<T> model(scene, options.trace.possible_effects(), options.trace.formulas);
   Tracer<T> tracer(model, options.trace);
   PixelTrace result;
   result.pixel =

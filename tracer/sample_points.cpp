@@ -22,7 +22,7 @@ template <typename T>
 class PointSampler::WorkIn final : public PointSampler::Work {
  public:
   WorkIn(const Scene& scene, const RenderOptions& options)
-      : options_(options), model_(scene, options.trace.allowed_effects) {
+      : options_(options), model_(scene, options.trace.possible_effects(), options.trace.formulas) {
     effects_ = model_.effects;
     effects_.antialias = options.antialiased();
   }
@@ -64,6 +64,10 @@ class PointSampler::WorkIn final : public PointSampler::Work {
 PointSampler::PointSampler(const Scene& scene, const RenderOptions& options) {
   if (options.precision == Precision::double_) {
     work_ = std::make_unique<WorkIn<double>>(scene, options);
+    return;
+  }
+  if (options.precision == Precision::long_double) {
+    work_ = std::make_unique<WorkIn<long double>>(scene, options);
     return;
   }
   const glm::dvec3 offset = offset_for(scene, options.precision);
