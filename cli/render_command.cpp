@@ -39,6 +39,7 @@ nlohmann::ordered_json stats_json(const RenderCommand& command, const Scene& sce
         {"reflected", rays.reflected},
         {"refracted", rays.refracted},
         {"shadow", rays.shadow},
+        {"filtered", rays.filtered},
         {"spared", rays.spared}}},
       {"spans", rays.spans},
       {"exact_intersections", rays.exact},

@@ -8,6 +8,7 @@ namespace sir {
 /// Rays cast, by kind, and intersections found.
 struct RayCounts {
   std::uint64_t primary = 0, reflected = 0, refracted = 0, shadow = 0;
+  std::uint64_t filtered = 0;  ///< of the shadow rays, those that something dimmed
   std::uint64_t spared = 0;  ///< rays not cast, since they could not change a byte any more
   std::uint64_t spans = 0;   ///< primitives that those rays went through
   std::uint64_t exact = 0;   ///< intersections that needed more digits than T has
@@ -17,6 +18,7 @@ struct RayCounts {
     reflected += other.reflected;
     refracted += other.refracted;
     shadow += other.shadow;
+    filtered += other.filtered;
     spared += other.spared;
     spans += other.spans;
     exact += other.exact;

@@ -55,6 +55,7 @@ Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& 
         }
         arriving = light_reaching(model, classifier, hit, to_light, source);
         ++counts.shadow;
+        if (arriving != source.intensity && arriving != Colour<T>(0)) ++counts.filtered;
         counts.spans += classifier.spans();
       }
     }

@@ -18,6 +18,16 @@ struct TraceOptions {
   EffectSet allowed_effects;
   Engine engine = Engine::gates;
   Formulas formulas = Formulas::robust;  ///< what render() makes the Model for
+
+  /// Of those allowed, the effects that the depth limit leaves room for: at a
+  /// limit of 1 nothing is mirrored or refracted, unless it stands for the
+  /// background.
+  EffectSet possible_effects() const {
+    EffectSet set = allowed_effects;
+    if (depth_limit == 1 && past_limit == PastLimit::zero && !set.exhaustive)
+      set.reflection = set.refraction = false;
+    return set;
+  }
 };
 
 }  // namespace sir
