@@ -73,6 +73,8 @@ class Pricing {
     if (!measured) return std::nullopt;
     image.tracer = std::move(measured->part);
     image.tracer->sentences = tracer_sentences(*image.tracer);
+    image.tracer->sentences.push_back(noise_in_words(measured->noise));
+    image.truth_noise = measured->noise;
     image.truth = truth_in_words(options_.truth_samples);
     return std::move(measured->picture);
   }

@@ -172,6 +172,9 @@ void add_lut(CLI::App& app, Action& action) {
   add_parsed(sub, "--grid", choice.grid, quant::parse_grid,
              {"HxSxV", "HxSxV: 1 to 1024 hues, 2 to 1024 levels of S and V, 2^24 cells"},
              "hsv: the grid (36x30x30)");
+  sub->add_option("--rgb-bits", choice.rgb_bits, "rgb: the grid's bits a primary (5)")
+      ->check(CLI::Range(1, quant::RgbGrid::kMaxBits))
+      ->type_name("N");
   sub->add_option("--sample", choice.sample, "count every Nth pixel only (1)")
       ->check(CLI::Range(1, 1'000'000'000))
       ->type_name("N");

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "tests/cli_fixture.h"
+#include "tracer/planes.h"
 
 namespace sir::test {
 namespace {
@@ -110,7 +111,8 @@ TEST_F(CostCommand, EveryKnobHasItsRows) {
   for (const json& row : image["tracer"]["rows"]) ++rows[row.value("knob", "default")];
   EXPECT_EQ(rows["default"], 1);
   EXPECT_EQ(rows["depth"], 9);  // and the default's
-  for (const char* knob : {"precision", "cutoff", "combined"}) EXPECT_GE(rows[knob], 1) << knob;
+  for (const char* knob : {"precision", "formulas", "cutoff", "antialias", "preview", "combined"})
+    EXPECT_GE(rows[knob], 1) << knob;
   rows.clear();
   for (const json& row : image["rows"]) ++rows[row.value("knob", "default")];
   for (const char* knob : {"method", "grid", "sample", "nearest", "combined"})
@@ -119,6 +121,71 @@ TEST_F(CostCommand, EveryKnobHasItsRows) {
   EXPECT_EQ(image["tracer"]["rows"][0]["changed"], 0);
   EXPECT_EQ(image["tracer"]["rows"][0]["ratio"], 1);
   EXPECT_EQ(image["rows"][0]["choice"], "median hsv --split pixels");
+}
+
+TEST_F(CostCommand, WhatIsTheTruthItselfHasNoError) {
+  const json image = json::parse(cost({"--json"}).out)["images"][0];
+  const json& rows = image["tracer"]["rows"];
+  EXPECT_EQ(row_of(rows, "long double")["rounded"], 0);
+  const json& best = row_of(rows, "long double, depth 10");
+  EXPECT_EQ(best["points_pixels"], 0);
+  EXPECT_EQ(best["points_largest"], 0);
+  EXPECT_EQ(best["points_de_mean"], 0);
+  EXPECT_TRUE(best["points_psnr"].is_null());
+  // The true picture is of no row's rays: edges are not met by the same.
+  for (const json& row : rows) EXPECT_FALSE(row["psnr"].is_null()) << row["choice"];
+  EXPECT_TRUE(image["tracer"]["truth_noise"].is_number());
+  for (const char* choice : {"antialias adaptive:16", "antialias random:4", "preview, blocks of 8"})
+    EXPECT_FALSE(row_of(rows, choice).contains("points_psnr")) << choice;
+}
+
+TEST_F(CostCommand, RowsAreWhatTheOtherCommandsMake) {
+  const json image = json::parse(cost({"--json"}).out)["images"][0];
+  const auto render = [&](const std::string& folder_name, const Words& more) {
+    Words words{"render", "s", "--size", "16x12", "-q", "--out", folder_name};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(sir(words).exit_code, 0);
+    return read_planes(folder / (folder_name + "/s"), ImageSize{16, 12});
+  };
+  const Planes usual = render("usual", {});
+  for (const auto& [choice, more] : std::vector<std::pair<std::string, Words>>{
+           {"default", {}},
+           {"float", {"--precision", "float"}},
+           {"textbook", {"--formulas", "textbook"}},
+           {"depth 1", {"--depth", "1"}},
+           {"cutoff 0.2", {"--cutoff", "0.2"}},
+           {"antialias adaptive:16", {"--antialias", "adaptive:16"}},
+           {"antialias random:8", {"--antialias", "random:8"}}}) {
+    const Planes picture = render("other", more);
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < usual.size.pixels(); ++i)
+      changed += !(usual.at(i) == picture.at(i));
+    EXPECT_EQ(row_of(image["tracer"]["rows"], choice)["changed"], changed) << choice;
+  }
+
+  ASSERT_EQ(sir({"lut", "usual/s.png", "--space", "rgb", "--rgb-bits", "4"}).exit_code, 0);
+  ASSERT_EQ(sir({"show", "usual/s.png", "--crop", "--png", "shown.png", "-q"}).exit_code, 0);
+  const Ended metrics = sir({"metrics", "usual/s.png", "shown.png", "--json"});
+  const json& row = row_of(image["rows"], "median rgb --rgb-bits 4");
+  EXPECT_EQ(row["psnr"], json::parse(metrics.out)["psnr"]) << metrics.err;
+  EXPECT_EQ(row["de_p95"], json::parse(metrics.out)["de_p95"]);
+  EXPECT_EQ(sir({"lut", "usual/s.png", "--rgb-bits", "9"}).exit_code, 2);
+}
+
+TEST_F(CostCommand, MoreRandomRaysAreNearerToTheTruth) {
+  const Ended ended = sir({"cost", "s", "--size", "64x48", "--repeats", "1", "--truth-samples",
+                           "256", "--only", "antialias", "--json"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const json image = json::parse(ended.out)["images"][0];
+  const json& rows = image["tracer"]["rows"];
+  const auto psnr = [&](const std::string& choice) {
+    return row_of(rows, choice)["psnr"].get<double>();
+  };
+  EXPECT_LT(psnr("default"), psnr("antialias random:4"));
+  EXPECT_LT(psnr("antialias random:4"), psnr("antialias random:16"));
+  EXPECT_LT(psnr("antialias random:16"), psnr("antialias random:64"));
+  EXPECT_LT(psnr("default"), psnr("antialias adaptive:16"));
+  EXPECT_GT(image["tracer"]["truth_noise"], psnr("antialias random:64"));
 }
 
 TEST_F(CostCommand, OnlyTheKnobsAskedFor) {

@@ -45,6 +45,11 @@ TEST(CostSentence, SaysWhatIsGained) {
   EXPECT_EQ(removal_in_words(7, 7), "and leaves 7 pixels wrong as before");
 }
 
+TEST(CostSentence, SaysWhatIsNoise) {
+  EXPECT_THAT(noise_in_words(51.23), HasSubstr("51.2 dB from it"));
+  EXPECT_THAT(noise_in_words(std::nullopt), HasSubstr("no noise"));
+}
+
 CostRow made_up(std::optional<Knob> knob, const std::string& name, std::vector<double> ms,
                 std::optional<double> psnr) {
   CostRow row;

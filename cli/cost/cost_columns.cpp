@@ -131,9 +131,8 @@ std::vector<std::pair<std::string, std::string>> cost_legend(const CostReport& r
               "preparing and tracing on {}, by the clock; --budget counts this",
               report.threads == 1 ? "1 thread" : fmt::format("{} threads", report.threads))},
          {"tracer, picture",
-          fmt::format("against the truth: {}; made once, with a seed that no row has. It has noise "
-                      "of its own: a row of as many random rays shows how much, and no PSNR far "
-                      "above that row's means anything. --target counts this PSNR",
+          fmt::format("against the truth: {}; made once, with a seed that no row has. --target "
+                      "counts this PSNR",
                       truth)},
          {"tracer, points",
           "rows of one ray through each pixel's centre, against the same truth with that one "

@@ -67,7 +67,8 @@ struct CostImage {
   ImageSize size;
   std::optional<CostPart> tracer, lut;
   std::vector<CostAnswer> answers;
-  std::string truth;  ///< the tracer's, in words
+  std::string truth;                  ///< the tracer's, in words
+  std::optional<double> truth_noise;  ///< PSNR between it and another such picture
 };
 
 struct CostReport {

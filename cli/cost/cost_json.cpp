@@ -49,6 +49,7 @@ std::string cost_json(const CostReport& report) {
     Json json{{"image", image.name}, {"size", {image.size.width, image.size.height}}};
     if (image.tracer)
       json["tracer"] = {{"truth", image.truth},
+                        {"truth_noise", comparable(image.truth_noise)},
                         {"rows", rows_json(*image.tracer)},
                         {"sentences", image.tracer->sentences}};
     if (image.lut) {

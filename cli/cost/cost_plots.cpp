@@ -96,8 +96,7 @@ CostPlot price_plot(const CostPart& part, const std::string& of) {
                      "set logscale x\nset xrange [{}:{}]\nset offsets 0,0,1,0.5\n"
                      "set xlabel \"time, ms\"\nset ylabel \"PSNR, dB\"\nplot ",
                      least / std::max(4.0, std::pow(most / least, 0.35)), most * 1.5) +
-                 "$front using 1:2 with steps lw 1.5 lc rgb \"#808890\" title \"front\", " +
-                 curves +
+                 "$front using 1:2 with steps lw 1.5 lc rgb \"black\" title \"front\", " + curves +
                  ", $front using 1:2:3 with labels right offset -0.7,0.45 font \",11\" notitle\n";
   return plot;
 }
@@ -147,7 +146,8 @@ CostPlot antialias_plot(const CostPart& part) {
     curves += fmt::format(
         "{}$series{} using 1:2 with linespoints pt 7 ps 0.7 lw 2 lc rgb \"{}\" title {}",
         i == 0 ? "" : ", ", i, kColours[i % std::size(kColours)], string_of(series[i].first));
-    names += fmt::format(", $series{} using 1:2:3 with labels right offset -0.6,0.5 notitle", i);
+    names += fmt::format(", $series{} using 1:2:3 with labels {} notitle", i,
+                         i % 2 == 0 ? "right offset -0.6,0.5" : "left offset 0.6,-0.5");
   }
   if (const CostRow& usual = part.rows.front(); usual.picture.psnr) {
     plot.script += block("usual", fmt::format("1 {}\n", *usual.picture.psnr));

@@ -92,6 +92,8 @@ void add_samples(List& list) {
 }
 
 void add_searches(List& list) {
+  if (LutSetting* row = list.add(Knob::nearest, "nearest by the lattice, approximate"))
+    row->search = Search::approximate;
   if (LutSetting* row = list.add(Knob::nearest, "nearest of all 256, one by one"))
     row->search = Search::exhaustive;
 }
@@ -102,6 +104,12 @@ void add_combined(List& list) {
     o.split = SplitOrder::longest;
     o.sample = 16;
   });
+  if (LutSetting* row =
+          list.add(Knob::combined, "median rgb --sample 16, approximate", [](ChooseOptions& o) {
+            o.space = Space::rgb;
+            o.sample = 16;
+          }))
+    row->search = Search::approximate;
   list.add(Knob::combined, "median rgb --rgb-bits 6 --sample 4", [](ChooseOptions& o) {
     o.space = Space::rgb;
     o.rgb_bits = 6;
@@ -134,8 +142,11 @@ std::vector<LutSetting> lut_settings(const KnobSet& only, const std::optional<Ch
 }
 
 std::vector<std::uint8_t> map_by(Search search, const Planes& image, const quant::Lut& lut) {
-  return search == Search::exhaustive ? quant::map_exhaustively(image, lut)
-                                      : quant::map_to_lut(image, lut);
+  switch (search) {
+    case Search::approximate: return quant::map_to_lut(image, lut, quant::Mapping::approximate);
+    case Search::exhaustive: return quant::map_exhaustively(image, lut);
+    default: return quant::map_to_lut(image, lut);
+  }
 }
 
 }  // namespace sir::cli

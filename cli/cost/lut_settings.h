@@ -11,7 +11,7 @@
 namespace sir::cli {
 
 /// How the nearest entry of a pixel is found.
-enum class Search : std::uint8_t { exact, exhaustive };
+enum class Search : std::uint8_t { exact, approximate, exhaustive };
 
 /// A choice of LUT and of mapping, with its words (see CostRow).
 struct LutSetting {

@@ -23,6 +23,7 @@ struct MeasureOptions {
 struct TracerPart {
   CostPart part;
   Planes picture;
+  std::optional<double> noise;  ///< PSNR of two true pictures; none where they are equal
 };
 std::optional<TracerPart> measure_tracer(const Scene& scene, ImageSize size,
                                          const std::vector<TracerSetting>& settings,

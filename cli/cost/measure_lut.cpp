@@ -53,16 +53,17 @@ std::optional<CostPart> measure_lut(const Planes& image, const std::vector<LutSe
     if (options.progress) options.progress(done / expected);
   };
 
-  std::vector<Planes> shown(settings.size());
+  Planes of_default;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     if (options.stop.stop_requested()) return std::nullopt;
     const auto cells = quant::count_for(image, settings[i].choice);
     const auto lut = quant::choose_from(cells, settings[i].choice);
-    shown[i] = as_seen(image, lut, map_by(settings[i].search, image, lut));
+    const Planes shown = as_seen(image, lut, map_by(settings[i].search, image, lut));
     part.rows[i].lut->colours = cells.size();
     part.rows[i].lut->entries = lut.chosen;
-    judge(image, shown[i], part.rows[i]);
-    part.rows[i].changed = pixels_changed(shown.front(), shown[i]);
+    judge(image, shown, part.rows[i]);
+    if (i == 0) of_default = shown;
+    part.rows[i].changed = pixels_changed(of_default, shown);
     tell(kJudging);
   }
 

@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "cli/cost/measure.h"
+#include "quant/psnr.h"
 
 namespace sir::cli {
 namespace {
@@ -24,7 +25,7 @@ class Measurement {
     const double a_round = std::accumulate(
         settings.begin(), settings.end(), 0.0,
         [](double sum, const TracerSetting& setting) { return sum + setting.weight; });
-    expected_ = a_round + truth_weight() + dear_rounds();
+    expected_ = a_round + truth_weight(options.truth_samples) + dear_rounds();
   }
 
   // False where it was stopped.
@@ -35,6 +36,9 @@ class Measurement {
     const auto picture = picture_of(true_picture(options_.truth_samples));
     if (!picture) return false;
     truth_.picture = *picture;
+    const auto other = picture_of(another_picture(options_.truth_samples));
+    if (!other) return false;
+    noise_ = quant::psnr(*picture, *other);
     const bool rounds = std::any_of(
         settings_.begin() + 1, settings_.end(),
         [](const TracerSetting& setting) { return setting.only_calculates_otherwise(); });
@@ -47,7 +51,6 @@ class Measurement {
     // The first picture of a process also pays for memory that the others find in place.
     if (!picture_of(settings_.front())) return false;
     rows_.resize(settings_.size());
-    pictures_.resize(settings_.size());
     const Rounds rounds(settings_.size(), static_cast<std::size_t>(options_.repeats));
     return rounds([&](std::size_t i) { return run_row(i); },
                   [&](std::size_t i) {
@@ -57,15 +60,15 @@ class Measurement {
   }
 
   TracerPart part() {
-    for (std::size_t i = 0; i < rows_.size(); ++i) judge(i);
-    TracerPart result{{std::move(rows_), {}}, std::move(pictures_.front())};
+    TracerPart result{{std::move(rows_), {}}, std::move(default_), noise_};
     settle(result.part);
     return result;
   }
 
  private:
-  static double truth_weight() {
-    return true_points().weight + true_default().weight + true_picture(1).weight;
+  static double truth_weight(int samples) {
+    return true_points().weight + true_default().weight + true_picture(samples).weight +
+           another_picture(samples).weight;
   }
 
   double dear_rounds() const {
@@ -78,16 +81,23 @@ class Measurement {
     return sum;
   }
 
-  std::optional<RenderResult> rendered(const TracerSetting& setting) {
-    RenderResult result = render_setting(scene_, setting, size_, options_.threads, options_.stop);
+  std::optional<RenderResult> rendered(const TracerSetting& setting,
+                                       const std::function<void(double)>& progress = {}) {
+    RenderResult result =
+        render_setting(scene_, setting, size_, options_.threads, options_.stop, progress);
     if (!result.complete) return std::nullopt;
+    tell(setting.weight);
     done_ += setting.weight;
-    if (options_.progress) options_.progress(std::min(1.0, done_ / expected_));
     return result;
   }
 
+  void tell(double more) const {
+    if (options_.progress) options_.progress(std::min(1.0, (done_ + more) / expected_));
+  }
+
   std::optional<Planes> picture_of(const TracerSetting& setting) {
-    auto result = rendered(setting);
+    // These are not timed, and some take long.
+    auto result = rendered(setting, [&](double share) { tell(share * setting.weight); });
     if (!result) return std::nullopt;
     return std::move(result->planes);
   }
@@ -95,12 +105,15 @@ class Measurement {
   bool run_row(std::size_t i) {
     auto result = rendered(settings_[i]);
     if (!result) return false;
-    if (rows_[i].ms.empty()) pictures_[i] = std::move(result->planes);
+    if (rows_[i].ms.empty()) {
+      if (i == 0) default_ = result->planes;  // the first of all
+      judge(i, result->planes);
+    }
     rows_[i].ms.push_back(milliseconds(*result));
     return true;
   }
 
-  void judge(std::size_t i) {
+  void judge(std::size_t i, const Planes& picture) {
     const TracerSetting& setting = settings_[i];
     CostRow& row = rows_[i];
     row.knob = setting.knob;
@@ -108,11 +121,11 @@ class Measurement {
     row.subject = setting.subject;
     row.family = setting.family;
     row.at = setting.at;
-    row.picture = difference_between(truth_.picture, pictures_[i]);
-    if (setting.one_ray()) row.points = difference_between(truth_.points, pictures_[i]);
-    row.changed = pixels_changed(pictures_.front(), pictures_[i]);
+    row.picture = difference_between(truth_.picture, picture);
+    if (setting.one_ray()) row.points = difference_between(truth_.points, picture);
+    row.changed = pixels_changed(default_, picture);
     if (truth_.calculated && setting.only_calculates_otherwise())
-      row.rounded = pixels_changed(*truth_.calculated, pictures_[i]);
+      row.rounded = pixels_changed(*truth_.calculated, picture);
   }
 
   const Scene& scene_;
@@ -120,8 +133,9 @@ class Measurement {
   const std::vector<TracerSetting>& settings_;
   const MeasureOptions& options_;
   Truth truth_;
+  std::optional<double> noise_;
   std::vector<CostRow> rows_;
-  std::vector<Planes> pictures_;  // of each row's first run
+  Planes default_;  // the default's picture
   double done_ = 0, expected_ = 1;
 };
 

@@ -46,6 +46,14 @@ std::string removal_in_words(std::size_t from, std::size_t to) {
                      to == 0 ? "" : fmt::format(" of {}", from));
 }
 
+std::string noise_in_words(const std::optional<double>& psnr) {
+  if (!psnr) return "The true picture has no noise: one of another seed is equal to it.";
+  return fmt::format(
+      "The true picture has noise of its own: one of another seed is {:.1f} dB from it, so a PSNR "
+      "of that order says that the rest is noise.",
+      *psnr);
+}
+
 std::string as_sentence(std::string words) {
   if (!words.empty() && words[0] >= 'a' && words[0] <= 'z')
     words[0] = static_cast<char>(words[0] - 'a' + 'A');

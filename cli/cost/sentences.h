@@ -18,6 +18,9 @@ std::string gain_in_words(const std::optional<double>& from, const std::optional
 /// "removes 214 wrong pixels", from two numbers of them.
 std::string removal_in_words(std::size_t from, std::size_t to);
 
+/// How much of the pictures' PSNR is noise: that between two truths of one kind.
+std::string noise_in_words(const std::optional<double>& psnr);
+
 /// With a capital and a full stop.
 std::string as_sentence(std::string words);
 

@@ -154,7 +154,7 @@ class Copy {
       return;
     }
     if (copy.find("url(") != std::string::npos) return;
-    if (copy == "black") copy = "currentColor";
+    if (copy == "black" || copy == "rgb(  0,   0,   0)") copy = "currentColor";
     out_ += " " + std::string(name) + "=\"";
     for (const char c : copy) out_ += c == '"' ? "&quot;" : c == '<' ? "&lt;" : std::string(1, c);
     out_ += "\"";

@@ -17,10 +17,10 @@ class Speaker {
     const CostRow* const single = named("float");
     if (single) calculated(usual, "double", *single);
     if (const CostRow* row = named("long double")) calculated(*row, row->subject, usual, "double");
-    if (const CostRow* row = named("textbook formulas"))
-      calculated(usual, "the robust formulas", *row);
-    if (const CostRow* row = named("float, textbook formulas"); row && single)
-      calculated(*single, "the robust formulas, in float,", *row);
+    const std::string robust = "using the robust formulas";
+    if (const CostRow* row = named("textbook")) calculated(usual, robust, *row);
+    if (const CostRow* row = named("float, textbook"); row && single)
+      calculated(*single, robust + " in float", *row, "the textbook's");
     depths();
     for (const CostRow& row : part_.rows) {
       if (row.knob == Knob::cutoff) changing(row);

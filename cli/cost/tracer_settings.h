@@ -1,6 +1,7 @@
 // The tracer's settings on the price list (thesis 2.4, 3.3).
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -40,14 +41,19 @@ TracerSetting true_points();
 /// The same with `samples` random rays a pixel, of a seed that no row has.
 TracerSetting true_picture(int samples);
 
+/// Another such picture in double, of a third seed: how far it is from the true one is
+/// the noise of both.
+TracerSetting another_picture(int samples);
+
 /// The default in the most precise numbers.
 TracerSetting true_default();
 
 /// What the truth is, in words.
 std::string truth_in_words(int samples);
 
-/// Renders at a size with a number of threads.
+/// Renders at a size with a number of threads; `progress` as in render().
 RenderResult render_setting(const Scene& scene, const TracerSetting& setting, ImageSize size,
-                            int threads, std::stop_token stop);
+                            int threads, std::stop_token stop,
+                            const std::function<void(double)>& progress = {});
 
 }  // namespace sir::cli
