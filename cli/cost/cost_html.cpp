@@ -25,8 +25,8 @@ p, li, dd { max-width: 52rem; }
 li { margin: .15rem 0; }
 .answer { border-left: 4px solid var(--line); padding: .3rem .8rem; font-weight: 600; }
 .scroll { overflow-x: auto; }
-table { border-collapse: collapse; font-size: .78rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .16rem .42rem; text-align: right; white-space: nowrap; }
+table { border-collapse: collapse; font-size: .76rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .16rem .32rem; text-align: right; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; }
 th { font-weight: 600; } thead tr:first-child th { color: var(--faint); text-align: left; }
 thead tr:last-child th { border-bottom: 1px solid var(--line); }

@@ -13,8 +13,19 @@ namespace {
 constexpr const char* kColours[] = {"#2f86a6", "#c2543c", "#6a9a2f", "#a060b8",
                                     "#c08a1e", "#3f9d86", "#808890", "#c05a8e"};
 
-// Of a name in a plot, in the plot's height.
-constexpr double kNameHeight = 0.03;
+// Of a name in a plot, in the plot's height; of a letter, in its width.
+constexpr double kNameHeight = 0.03, kLetterWidth = 0.0105;
+
+// Where a logarithmic axis up to `end` must begin so that there is room for the names to the
+// left of their points.
+double start_of_axis(const std::vector<const CostRow*>& named, double end) {
+  double start = INFINITY;
+  for (const CostRow* row : named) {
+    const double width = std::min(0.6, kLetterWidth * static_cast<double>(row->name.size()) + 0.03);
+    start = std::min(start, (std::log(row->time.median) - width * std::log(end)) / (1 - width));
+  }
+  return std::exp(start);
+}
 
 using RowsOfSeries = std::vector<std::pair<std::string, std::vector<const CostRow*>>>;
 
@@ -60,14 +71,13 @@ CostPlot price_plot(const CostPart& part, const std::string& of) {
       head(900, 560)};
   const RowsOfSeries series = by_knob(part);
   std::vector<const CostRow*> front;
-  double least = INFINITY, most = 0, worst = INFINITY, best = -INFINITY;
+  double most = 0, worst = INFINITY, best = -INFINITY;
   std::string curves;
   for (std::size_t i = 0; i < series.size(); ++i) {
     std::string lines;
     for (const CostRow* row : series[i].second) {
       lines += fmt::format("{} {} {} {}\n", row->time.median, *row->picture.psnr, row->time.low,
                            row->time.high);
-      least = std::min(least, row->time.median);
       most = std::max(most, row->time.median);
       worst = std::min(worst, *row->picture.psnr);
       best = std::max(best, *row->picture.psnr);
@@ -95,7 +105,7 @@ CostPlot price_plot(const CostPart& part, const std::string& of) {
                  fmt::format(
                      "set logscale x\nset xrange [{}:{}]\nset offsets 0,0,1,0.5\n"
                      "set xlabel \"time, ms\"\nset ylabel \"PSNR, dB\"\nplot ",
-                     least / std::max(4.0, std::pow(most / least, 0.35)), most * 1.5) +
+                     start_of_axis(front, most * 1.5), most * 1.5) +
                  "$front using 1:2 with steps lw 1.5 lc rgb \"black\" title \"front\", " + curves +
                  ", $front using 1:2:3 with labels right offset -0.7,0.45 font \",11\" notitle\n";
   return plot;
@@ -115,7 +125,8 @@ CostPlot depth_plot(const CostPart& part) {
   for (const auto& [depth, row] : rows)
     lines += fmt::format("{} {} {}\n", depth, row->ratio.median, row->points->pixels);
   plot.script += block("depth", lines) +
-                 "set nokey\nset xtics 1\nset offsets 0.3,0.3,0,0\nset xlabel \"depth\"\n"
+                 fmt::format("set xrange [0.5:{}]\n", rows.rbegin()->first + 0.5) +
+                 "set nokey\nset xtics 1\nset xlabel \"depth\"\n"
                  "set multiplot layout 1,2\nset yrange [0:*]\nset ylabel \"time, default's = 1\"\n"
                  "plot $depth using 1:2 with linespoints pt 7 ps 0.7 lw 2 lc rgb \"#2f86a6\"\n"
                  "set ylabel \"wrong pixels\"\nset format y \"%.0f\"\n"

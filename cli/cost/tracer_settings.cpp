@@ -88,6 +88,7 @@ void add_previews(List& list) {
 }
 
 void add_combinations(List& list) {
+  static_assert(kGreatestDepth == 10, "rows are named by it");
   list.add(Knob::combined, "float, textbook", "float with textbook formulas", [](RenderOptions& o) {
     o.precision = Precision::float_;
     o.trace.formulas = Formulas::textbook;
@@ -113,6 +114,13 @@ void add_combinations(List& list) {
              o.antialias = adaptive(32);
            },
            {"", 0, 2});
+  list.add(Knob::combined, "depth 7, antialias adaptive:32",
+           "antialiasing at threshold 32 at depth 7",
+           [](RenderOptions& o) {
+             o.trace.depth_limit = 7;
+             o.antialias = adaptive(32);
+           },
+           {"", 0, 3});
   list.add(Knob::combined, "depth 10, antialias adaptive:8",
            "antialiasing at threshold 8 at depth 10",
            [](RenderOptions& o) {
