@@ -155,17 +155,43 @@ bool compare_blocked(const Named& named) {
   return asked == ordered;
 }
 
-std::vector<Named> made_up() {
-  std::vector<Named> list;
-  for (const int leaves : {10, 40, 160})
-    list.push_back({"made up, " + std::to_string(leaves),
-                    test::random_scene(static_cast<std::uint64_t>(leaves), leaves, false)});
-  return list;
+// Balls, and cubes with a ball cut out, on a mirroring floor; some of glass.
+Named on_a_floor(int solids) {
+  test::SceneBuilder build;
+  std::mt19937_64 random(1989);
+  std::uniform_real_distribution<double> place(-4, 4), size(0.2, 0.5);
+  build.scene.lighting = {{0.2, 0.3, 0.5},
+                          glm::dvec3(0.3),
+                          {{{5, 9, 6}, glm::dvec3(0.7)}, {{-6, 7, 3}, glm::dvec3(0.4)}}};
+  auto root = build.cube({-5, -1, -5}, {5, 0, 5}, 1);
+  for (int n = 0; n < solids; ++n) {
+    const glm::dvec3 at(place(random), size(random) + 0.3, place(random));
+    const double r = size(random);
+    auto solid = build.sphere(at, r, 2 + n % 2);
+    if (n % 3 == 0)
+      solid =
+          build.combine(Operation::difference, build.cube(at - r * 0.8, at + r * 0.8, 2), solid);
+    root = build.combine(Operation::union_of, root, solid);
+  }
+  for (const std::int64_t number : {1, 2, 3}) {
+    Coefficients& k = build.surface(number).first;
+    k.ambient = k.diffuse = glm::dvec3(0.2 * double(number), 0.5, 0.3);
+    k.specular = 0.15 * double(number);
+    k.exponent = 30;
+  }
+  build.surface(3).first.transmission = 0.4;
+  build.surface(3).first.index = 1.3;
+  Scene scene = build.finish(root);
+  scene.camera = {{4, 3}, {0, 0.5, 0}, {0, -0.6, -1}, 9, {0, 1, 0}, false, 6, false};
+  return {"made up, " + std::to_string(solids), scene};
 }
+
+std::vector<Named> made_up() { return {on_a_floor(12), on_a_floor(60)}; }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   std::vector<Named> scenes;
   for (int i = 1; i < argc; ++i) scenes.push_back({argv[i], read_scene(argv[i])});
   if (scenes.empty()) scenes = made_up();
