@@ -13,6 +13,7 @@
 #include "cli/add_option.h"
 #include "cli/colour_options.h"
 #include "cli/cost/cost_options.h"
+#include "cli/effects_command.h"
 #include "cli/export_command.h"
 #include "cli/hsv_command.h"
 #include "cli/lut_command.h"
@@ -25,6 +26,7 @@
 #include "cli/session.h"
 #include "cli/show_command.h"
 #include "cli/table_command.h"
+#include "cli/tracing_options.h"
 #include "tracer/error.h"
 #include "tracer/text_file.h"
 
@@ -33,59 +35,18 @@ namespace {
 
 using Path = std::filesystem::path;
 
-void add_precision(CLI::App* app, Precision& precision) {
-  add_choice(app, "--precision", precision,
-             {{"double", Precision::double_},
-              {"float", Precision::float_},
-              {"long-double", Precision::long_double}},
-             "scalar type of all tracing (double)");
-}
-
-void add_engine(CLI::App* app, Engine& engine) {
-  add_choice(app, "--engine", engine, {{"gates", Engine::gates}, {"roth", Engine::roth}},
-             "how boundaries are found: fast, or by the thesis's plain algorithm (gates)");
-}
-
-void add_tracing(CLI::App* app, RenderOptions& options) {
-  TraceOptions& trace = options.trace;
-  add_size(app, options.size, "image size (640x480)");
-  app->add_option("--depth", trace.depth_limit, "depth limit of the tree of rays (5)")
-      ->check(CLI::Range(1, 1'000'000))
-      ->type_name("N");
-  add_number(app, "--cutoff", trace.cutoff, 0, std::numeric_limits<double>::max(),
-             "least weight of a secondary ray (0)");
-  add_choice(app, "--past-limit", trace.past_limit,
-             {{"zero", PastLimit::zero}, {"background", PastLimit::background}},
-             "what rays past the depth limit see (zero)");
-  add_precision(app, options.precision);
-  add_parsed(app, "--effects", trace.allowed_effects, parse_effects,
-             {"auto|all|LIST", "auto, all, or a list out of " + known_effects()},
-             "LIST: of " + known_effects() + ", separated by commas (auto)");
-  add_engine(app, trace.engine);
-}
-
 void add_render(CLI::App& app, Action& action) {
   auto* sub = app.add_subcommand("render", "Render BASE's scene to planes and PNG");
   const auto command = std::make_shared<RenderCommand>();
   sub->add_option("BASE", command->base, "BASE.CSG, BASE.CAM, BASE.LUZ, BASE.SUP")->required();
   sub->add_option("--out", command->out, "folder of the outputs (beside BASE)")->type_name("DIR");
   add_tracing(sub, command->options);
-  add_choice(sub, "--formulas", command->options.trace.formulas,
-             {{"robust", Formulas::robust}, {"textbook", Formulas::textbook}},
-             "how primitives are intersected: surely, or as in textbooks, for measuring what "
-             "robustness costs and saves (robust)");
-  sub->add_option("--threads", command->options.threads, "threads (as many as cores)")
-      ->check(CLI::Range(1, 4096))
-      ->type_name("N");
+  add_threads(sub, command->options.threads);
   add_parsed(sub, "--region", command->options.region, parse_region,
              {"X,Y,W,H", "X,Y,W,H in pixels, W and H positive"},
              "render this rectangle of the image alone; the outputs hold nothing else");
-  add_parsed(sub, "--antialias", command->options.antialias, parse_antialias,
-             {"none|adaptive[:T[:L]]|random[:N[:SEED]]",
-              "none, adaptive[:THRESHOLD[:LEVELS]] with a threshold of 0 to 255 and 0 to 6 levels, "
-              "or random[:SAMPLES[:SEED]] with 1 to 4096 samples"},
-             "more than one ray a pixel: through its corners, and more where they differ by more "
-             "than T levels of 255, divided L times at most (16:2); or N scattered ones (16:1)");
+  add_formulas(sub, command->options.trace.formulas);
+  add_antialias(sub, command->options.antialias);
   sub->add_flag("--progressive", command->progressive,
                 "coarse to fine: BASE.png is the picture so far, the planes wait for the end");
   sub->add_flag_callback(
@@ -131,6 +92,24 @@ void add_check(CLI::App& app, Action& action) {
   sub->add_option("BASE", *base, "the scene")->required();
   sub->callback([&action, base] {
     action = [base](const Session& session) { return run_check(given_base(*base), session); };
+  });
+}
+
+void add_effects(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand(
+      "effects", "The effects that BASE's scene calls for, and why; what each costs and changes");
+  const auto command = std::make_shared<EffectsCommand>();
+  sub->add_option("BASE", command->base, "the scene")->required();
+  add_tracing(sub, command->options);
+  add_antialias(sub, command->options.antialias);
+  add_threads(sub, command->options.threads);
+  sub->add_option("--repeats", command->repeats, "timed runs of each (5)")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  sub->add_flag("--json", command->json, "print JSON");
+  sub->callback([&action, command] {
+    command->base = given_base(command->base);
+    action = [command](const Session& session) { return run_effects(*command, session); };
   });
 }
 
@@ -334,6 +313,7 @@ int run(int argc, char** argv) {
   add_metrics(app, action);
   add_table(app, action);
   add_check(app, action);
+  add_effects(app, action);
   add_trace(app, action);
   add_probe(app, action);
   add_hsv(app, action);

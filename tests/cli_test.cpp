@@ -45,8 +45,9 @@ TEST_F(CliTest, VersionAndHelpGoToStandardOutput) {
   const Ended help = sir({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  for (const std::string command : {"render", "probe", "hsv", "lut", "show", "metrics", "table",
-                                    "check", "trace", "planes", "export", "paint", "cost"}) {
+  for (const std::string command :
+       {"render", "probe", "hsv", "lut", "show", "metrics", "table", "check", "trace", "planes",
+        "export", "paint", "cost", "effects"}) {
     EXPECT_NE(help.out.find("\n  " + command + " "), std::string::npos) << command;
     const Ended own = sir({command, "--help"});
     EXPECT_EQ(own.exit_code, 0) << command;
@@ -54,6 +55,42 @@ TEST_F(CliTest, VersionAndHelpGoToStandardOutput) {
     EXPECT_EQ(own.err, "") << command;
   }
   EXPECT_EQ(folder.list(), kScene);
+}
+
+TEST_F(CliTest, EffectsSaysWhyAndWhatTheyCost) {
+  const Ended text = sir({"effects", "s", "--size", "32x24", "--repeats", "2"});
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("nodes 1 caixa, 2 furo; light 1"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("no surface with kt > 0"), std::string::npos);
+  EXPECT_NE(text.out.find("not asked for (--antialias)"), std::string::npos);
+  EXPECT_NE(text.out.find("the same image"), std::string::npos);
+
+  const Ended ended = sir({"effects", "s", "--size", "32x24", "--repeats", "1", "--json",
+                           "--effects", "shadow,texture", "--antialias", "random:2"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const auto survey = nlohmann::json::parse(ended.out);
+  EXPECT_TRUE(survey["all"]["same_image"]);
+  ASSERT_EQ(survey["effects"].size(), 8u);
+  for (const auto& effect : survey["effects"]) {
+    const bool runs = effect["effect"] == "shadow" || effect["effect"] == "texture";
+    EXPECT_EQ(effect["called_for"], runs) << effect;
+    EXPECT_EQ(effect.contains("reason"), !runs);
+    if (effect["effect"] == "reflection" || effect["effect"] == "antialias") {
+      EXPECT_EQ(effect["reason"], "forbidden by --effects");
+    }
+    if (effect["effect"] == "texture") {
+      EXPECT_EQ(effect["nodes"], nlohmann::json::array({2}));
+    }
+    if (effect["effect"] == "shadow") {
+      EXPECT_EQ(effect["lights"], nlohmann::json::array({1}));
+    }
+  }
+  const Ended flat = sir({"effects", "s", "--size", "32x24", "--repeats", "1", "--depth", "1"});
+  EXPECT_NE(flat.out.find("--depth 1 leaves no room for it"), std::string::npos) << flat.out;
+  EXPECT_EQ(sir({"effects", "s", "--effects", "shadow,glow"}).exit_code, 2);
+  EXPECT_NE(sir({"effects", "s", "--effects", "glow"}).err.find("highlight shadow filter"),
+            std::string::npos);
+  expect_failure(sir({"effects", "absent"}), "absent");
 }
 
 TEST_F(CliTest, RenderWritesPlanesAndAPngOfThem) {
