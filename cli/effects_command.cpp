@@ -63,8 +63,9 @@ std::string as_text(const EffectSurvey& survey, const Scene& scene, const Effect
                           "", "", reason_against(effect, command));
       continue;
     }
-    const std::string time = fmt::format("{:.1f} % ({:.1f}..{:.1f})", effect.share * 100,
-                                         effect.share_low * 100, effect.share_high * 100);
+    std::string time = fmt::format("{:.1f} %", effect.share * 100);
+    if (command.repeats >= 3)
+      time += fmt::format(" ({:.1f}..{:.1f})", effect.share_low * 100, effect.share_high * 100);
     const double part = 100.0 * static_cast<double>(effect.pixels) /
                         static_cast<double>(std::max<std::size_t>(1, survey.pixels));
     text +=
@@ -74,9 +75,10 @@ std::string as_text(const EffectSurvey& survey, const Scene& scene, const Effect
   }
   text += fmt::format(
       "\nrays: cast for the effect itself. saves: rays of any kind that are not cast without it.\n"
-      "time: what forbidding it saves of the time of tracing, median and quartiles of {} {}.\n"
+      "time: what forbidding it saves of the time of tracing, median{} of {} {}.\n"
       "pixels: those that look otherwise without it.\n",
-      command.repeats, command.repeats == 1 ? "pair of runs" : "pairs of runs");
+      command.repeats >= 3 ? " and quartiles" : "", command.repeats,
+      command.repeats == 1 ? "pair of runs" : "pairs of runs");
   text +=
       fmt::format("{} rays were spared: they could not change a byte of their pixel any more.\n",
                   survey.counts.spared);

@@ -60,6 +60,8 @@ void add_render(CLI::App& app, Action& action) {
   sub->callback([&action, command] {
     const Region& r = command->options.region;
     const ImageSize size = command->options.size;
+    if (command->hesitation && command->options.trace.formulas == Formulas::textbook)
+      throw CLI::ValidationError("--hesitation", "is of the robust formulas only");
     if (r.x + std::int64_t{r.width} > size.width || r.y + std::int64_t{r.height} > size.height)
       throw CLI::ValidationError("--region",
                                  fmt::format("does not lie within {}x{}", size.width, size.height));

@@ -66,8 +66,12 @@ RenderResult render_in_stages(const RenderCommand& command, const Scene& scene,
                               const std::filesystem::path& base, const Session& session,
                               Progress& progress, nlohmann::ordered_json& stages) {
   stages = nlohmann::ordered_json::array();
+  double written = 0;
   const auto show = [&](const Planes& picture, const Stage& stage) {
-    viewer::write_rgb_png(with_suffix(base, "png"), picture);
+    // A stage that traced nothing shows nothing new.
+    if (stage.share > written || stage.antialiased)
+      viewer::write_rgb_png(with_suffix(base, "png"), picture);
+    written = stage.share;
     progress.finish();  // the line, until there is more to say
     detail(session,
            fmt::format("{}: {}, {:.1f} % of the pixels traced", base.string(),
@@ -116,7 +120,12 @@ int run_render(const RenderCommand& command, const Session& session) {
       command.progressive ? render_in_stages(command, scene, base, session, progress, stages)
                           : render(scene, command.options, progress.callback(), interruption());
   progress.finish();
-  if (!result.complete) return kInterrupted;
+  if (!result.complete) {
+    if (!stages.empty())
+      note(session, with_suffix(base, "png").string() +
+                        " holds the picture as far as it came; the planes are as they were");
+    return kInterrupted;
+  }
   HesitationMap hesitation;
   if (command.hesitation) {
     Progress comparing(session, command.base.filename().string() + ", hesitation");

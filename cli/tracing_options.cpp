@@ -30,7 +30,7 @@ void add_antialias(CLI::App* app, AntialiasOptions& antialias) {
   add_parsed(app, "--antialias", antialias, parse_antialias,
              {"none|adaptive[:T[:L]]|random[:N[:SEED]]",
               "none, adaptive[:THRESHOLD[:LEVELS]] with a threshold of 0 to 255 and 0 to 6 levels, "
-              "or random[:SAMPLES[:SEED]] with 1 to 4096 samples"},
+              "or random[:SAMPLES[:SEED]] with 1 to 4096 samples and a seed below 2^63"},
              "more than one ray a pixel: through its corners, and more where they differ by more "
              "than T levels of 255, divided L times at most (16:2); or N scattered ones (16:1)");
 }

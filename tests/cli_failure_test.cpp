@@ -44,6 +44,8 @@ TEST_F(CliTest, WrongUsageExitsWith2AndNamesTheOption) {
            {{"render", "s", "--threads", "0"}, "--threads"},
            {{"render", "s", "--precision", "half"}, "--precision"},
            {{"render", "s", "--formulas", "best"}, "--formulas"},
+           {{"render", "s", "--formulas", "textbook", "--hesitation", "h.png"}, "--hesitation"},
+           {{"effects", "s", "--repeats", "0"}, "--repeats"},
            {{"render", "s", "--effects", "shadow,glow"}, "--effects"},
            {{"render", "s", "--effects", ""}, "--effects"},
            {{"render", "s", "--antialias", ""}, "--antialias"},

@@ -113,5 +113,82 @@ TEST(SparedRays, ChangeNoByte) {
   EXPECT_GT(spared, 1000u);  // or nothing was tried
 }
 
+// Two slabs in a row, the front one of dim glass, and lights behind the camera.
+Scene two_slabs(const Coefficients& front, const Coefficients& back,
+                const std::vector<Light>& lights) {
+  test::SceneBuilder build;
+  const auto near = build.cube({-9, -9, 1}, {9, 9, 2}, 1),
+             far = build.cube({-9, -9, -2}, {9, 9, -1}, 2);
+  build.surface(1).first = front;
+  build.surface(2).first = back;
+  build.scene.lighting = {glm::dvec3(0), glm::dvec3(1), lights};
+  Scene scene = build.finish(build.combine(Operation::union_of, near, far));
+  scene.camera = {{1, 1}, {0, 0, 0}, {0, 0, -1}, 5, {0, 1, 0}, true, 5, false};
+  return scene;
+}
+
+void expect_auto_equals_all(const Scene& scene, Precision precision, const std::string& what) {
+  RenderOptions options;
+  options.size = {2, 2};
+  options.precision = precision;
+  const Planes needed = render(scene, options).planes;
+  options.trace.allowed_effects.exhaustive = true;
+  EXPECT_EQ(needed, render(scene, options).planes) << what;
+}
+
+TEST(SparedRays, WhatOverflowsHasNoBound) {
+  Coefficients front, back;
+  front.ambient = glm::dvec3(0.1);
+  front.transmission = 0.5;
+  front.index = 1;
+  back.ambient = glm::dvec3(1);
+  expect_auto_equals_all(
+      two_slabs(front, back, {{{0, 0, 9}, glm::dvec3(1.5e308)}, {{1, 0, 9}, glm::dvec3(1.5e308)}}),
+      Precision::double_, "lights whose sum is infinite");
+  expect_auto_equals_all(
+      two_slabs(front, back, {{{0, 0, 9}, glm::dvec3(2e38)}, {{1, 0, 9}, glm::dvec3(2e38)}}),
+      Precision::float_, "the same in float");
+  Scene dark = two_slabs(front, back, {{{0, 0, 9}, glm::dvec3(1)}});
+  dark.lighting.ambient = glm::dvec3(0);
+  dark.surfaces[0].first.diffuse = glm::dvec3(2);
+  for (double Coefficients::*member : {&Coefficients::specular, &Coefficients::exponent}) {
+    dark.surfaces[1].first.*member = 1e39;
+    expect_auto_equals_all(dark, Precision::float_, "coefficients that are infinite in float");
+  }
+  dark.surfaces[1].first.ambient = glm::dvec3(1e39);
+  expect_auto_equals_all(dark, Precision::float_, "no number at all");
+}
+
+TEST(SparedRays, ManyLightsRoundManyTimes) {
+  // The sum of 20,000 equal floats comes out 0.1 % too large; the mirror shows it
+  // times ks, at the edge of a byte.
+  Coefficients front, back;
+  front.specular = 0.0014;
+  back.ambient = back.diffuse = glm::dvec3(1);
+  std::vector<Light> lights(20000, {{0, 0, -9}, glm::dvec3(7.2e-8)});
+  for (int step = -40; step <= 40; ++step) {
+    Scene scene = two_slabs(front, back, lights);
+    scene.surfaces[0].first.ambient = glm::dvec3(0.0005551179638132453 + step * 2e-9);
+    // The wall that the mirror shows stands behind the camera and faces it.
+    scene.tree.nodes[1].placement.translation.z += 30;
+    for (Light& light : scene.lighting.lights) light.position = {0, 0, 6};
+    expect_auto_equals_all(scene, Precision::float_, std::to_string(step));
+  }
+}
+
+TEST(SparedRays, LightsAtTinyAndHugeDistancesAreNoBrighter) {
+  // |light - point|^2 would underflow, or overflow: the way's length is right all the same.
+  for (const double distance : {1e-170, 2.3e-162, 1e-150, 1e-22, 1.0, 1e20, 1e155, 1e160}) {
+    const VectorCena<double> way{{distance * 0.6, 0, distance * 0.8}};
+    EXPECT_NEAR(length(way) / distance, 1, 1e-15) << distance;
+    EXPECT_NEAR(normalize(way).v.z, 0.8, 1e-15) << distance;
+  }
+  for (const float distance : {1e-30f, 4e-23f, 1e-15f, 1.0f, 1e19f, 1e30f}) {
+    const VectorCena<float> way{{distance * 0.6f, 0, distance * 0.8f}};
+    EXPECT_NEAR(length(way) / distance, 1, 1e-6) << distance;
+    EXPECT_NEAR(normalize(way).v.z, 0.8, 1e-6) << distance;
+  }
+}
+
 }  // namespace
 }  // namespace sir

@@ -77,7 +77,7 @@ EffectCauses effect_causes(const Scene& scene) {
     if (traits.brightens) causes.shadow.nodes.push_back(i);
   }
   causes.highlight.nodes = causes.reflection.nodes;
-  causes.filter.nodes = causes.refraction.nodes;
+  if (causes.shadow.any()) causes.filter.nodes = causes.refraction.nodes;
   for (EffectCause* by_light : {&causes.highlight, &causes.shadow, &causes.filter}) {
     if (!by_light->nodes.empty()) by_light->lights = lights;
     if (lights.empty()) by_light->nodes.clear();

@@ -22,7 +22,7 @@ struct EffectCause {
 struct EffectCauses {
   EffectCause highlight;   ///< surfaces with ks, and lights that shine
   EffectCause shadow;      ///< surfaces that a light can brighten, and those lights
-  EffectCause filter;      ///< surfaces with kt, and lights that shine
+  EffectCause filter;      ///< surfaces with kt, where there are shadows
   EffectCause reflection;  ///< surfaces with ks
   EffectCause refraction;  ///< surfaces with kt
   EffectCause texture;     ///< chequers whose two sets of coefficients differ

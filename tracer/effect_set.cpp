@@ -28,7 +28,7 @@ EffectSet effects_called_for(const Scene& scene, const EffectSet& allowed, bool 
   const EffectCauses causes = effect_causes(scene);
   set.highlight = allowed.highlight && causes.highlight.any();
   set.shadow = allowed.shadow && causes.shadow.any();
-  set.filter = allowed.filter && causes.filter.any();
+  set.filter = allowed.filter && set.shadow && causes.filter.any();
   // Total reflection mirrors even what has no ks; it belongs to refraction.
   set.reflection = allowed.reflection && causes.reflection.any();
   set.refraction = allowed.refraction && causes.refraction.any();

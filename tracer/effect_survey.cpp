@@ -1,7 +1,6 @@
 #include "tracer/effect_survey.h"
 
 #include <algorithm>
-#include <ctime>
 
 namespace sir {
 namespace {
@@ -82,21 +81,22 @@ EffectSurvey survey_effects(const Scene& scene, const RenderOptions& options, in
     *ways.back().allowed.find(name) = false;
   }
 
-  const double renders = static_cast<double>(ways.size()) * repeats;
+  // The first round warms up.
+  const std::size_t rounds = static_cast<std::size_t>(repeats) + 1;
+  const double renders = static_cast<double>(ways.size() * rounds);
   double done = 0;
-  for (std::size_t round = 0; round < static_cast<std::size_t>(repeats); ++round)
+  for (std::size_t round = 0; round < rounds; ++round)
     for (std::size_t n = 0; n < ways.size(); ++n) {
       // Each round begins with another way, so that none is always the first.
       Way& way = ways[(round + n) % ways.size()];
       RenderOptions own = options;
       own.trace.allowed_effects = way.allowed;
-      const std::clock_t start = std::clock();
       RenderResult result = render(scene, own, {}, stop);
-      way.seconds.push_back(double(std::clock() - start) / CLOCKS_PER_SEC);
       if (!result.complete) {
         survey.complete = false;
         return survey;
       }
+      if (round > 0) way.seconds.push_back(result.processor_seconds);
       way.counts = result.counts;
       way.planes = std::move(result.planes);
       if (progress) progress(++done / renders);

@@ -38,7 +38,7 @@ struct EffectSurvey {
 };
 
 /// Renders with `options`, with each effect forbidden that is called for, and with
-/// all effects' rays, `repeats` times in turn.
+/// all effects' rays, in turn: once to warm up, and `repeats` timed times.
 EffectSurvey survey_effects(const Scene& scene, const RenderOptions& options, int repeats,
                             const std::function<void(double)>& progress = {},
                             std::stop_token stop = {});

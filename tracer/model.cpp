@@ -11,7 +11,9 @@ Model<T>::Model(const Scene& scene, const EffectSet& allowed, Formulas formulas)
   for (const Surface& surface : scene.surfaces) textures.emplace_back(surface);
   for (const Light& light : scene.lighting.lights)
     lights.push_back({{glm::vec<3, T>(light.position)}, Colour<T>(light.intensity)});
-  for (PointLight<T>& light : lights) light.clearance = clearance(solid, light.position);
+  // Asked for only where nothing lets light through (see light_reaching()).
+  if (effects.shadow && !effects.filter)
+    for (PointLight<T>& light : lights) light.clearance = clearance(solid, light.position);
 }
 
 template struct Model<float>;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "tracer/colour.h"
 
@@ -25,11 +26,12 @@ class PixelLedger {
     entries_ = 0;
   }
 
-  /// At most `most` more may come.
-  void expect(const Colour<T>& most) {
+  /// At most `most` more may come, summed up with so many roundings beyond those
+  /// that the bound allows for.
+  void expect(const Colour<T>& most, T roundings = 1) {
     awaited_ += most;
     largest_ += std::max({most.r, most.g, most.b});
-    ++entries_;
+    entries_ += roundings;
   }
 
   /// Of what was expected, `most` is no longer to come: it came as `came`, which
@@ -48,9 +50,9 @@ class PixelLedger {
     if (!sparing_ || (awaited_.r > kLevel && come_.r < 1) || (awaited_.g > kLevel && come_.g < 1) ||
         (awaited_.b > kLevel && come_.b < 1))
       return false;
-    // Each entry rounds two sums; the colours on the tree's way to the pixel
-    // take no more steps than there are entries, of four roundings each. No sum
-    // was ever larger than all entries together.
+    // Each entry rounds two sums here, and four times at most on its way to the
+    // pixel; entries_ counts the terms that are still to be summed as well. No
+    // sum was ever larger than all entries together.
     const T slack = 8 * (entries_ + 8) * std::numeric_limits<T>::epsilon() * largest_;
     for (int channel = 0; channel < 3; ++channel) {
       const T least = come_[channel] - slack, most = come_[channel] + awaited_[channel] + slack;

@@ -6,12 +6,6 @@ namespace {
 // Rays that deep are not told apart: their bound is that of any depth.
 constexpr int kDepthsTold = 64;
 
-// The bound is computed in T too; that is more than its roundings can take.
-template <typename T>
-Colour<T> rounded_up(const Colour<T>& bound) {
-  return bound * (1 + 64 * std::numeric_limits<T>::epsilon());
-}
-
 }  // namespace
 
 template <typename T>
@@ -37,10 +31,17 @@ RadianceBound<T>::RadianceBound(const Model<T>& model, const TraceOptions& optio
         sent.push_back({model.ambient * k->ambient + light * (k->diffuse + k->specular),
                         k->specular + k->transmission});
         passed_on = std::max(passed_on, sent.back().passed_on);
-        bounded_ = bounded_ && k->transmission <= 1;
+        // What overflows has no bound, and times zero it is no number.
+        const T sum = sent.back().own.r + sent.back().own.g + sent.back().own.b + passed_on;
+        bounded_ = bounded_ && k->transmission <= 1 && std::isfinite(sum);
       }
     }
 
+  // What is bounded rounds once for each light and a few times more, and so does
+  // the bound.
+  const T slack =
+      1 + (64 + 16 * static_cast<T>(model.lights.size())) * std::numeric_limits<T>::epsilon();
+  const auto rounded_up = [&](const Colour<T>& bound) { return bound * slack; };
   const auto next = [&](const Colour<T>& beyond) {
     Colour<T> most = model.background;
     for (const Sent& one : sent) most = glm::max(most, one.own + one.passed_on * beyond);

@@ -1,6 +1,7 @@
 // The most that a ray can bring (for TRACE, thesis 2.4.3, equation 2.1).
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "tracer/model.h"
@@ -18,7 +19,7 @@ class RadianceBound {
   RadianceBound(const Model<T>& model, const TraceOptions& options);
 
   /// Whether there is any bound: a kt above 1 lets light grow on its way through
-  /// surfaces, as often as there are any.
+  /// surfaces, as often as there are any; and coefficients may overflow T.
   bool bounded() const { return bounded_; }
 
   /// Of a ray that hits at `depth`, 1 for a primary one.

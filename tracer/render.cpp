@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tracer/processor_time.h"
 #include "tracer/recentre.h"
 #include "tracer/sample_antialias.h"
 #include "tracer/trace.h"
@@ -27,6 +28,7 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
   result.prepare_seconds = seconds_since(start);
 
   const auto traced = std::chrono::steady_clock::now();
+  const double processor = processor_seconds();
   Planes planes(ImageSize{region.width, region.height});
   std::vector<std::shared_ptr<Tracer<T>>> tracers;
   const auto make_worker = [&]() -> TileWorker {
@@ -45,6 +47,7 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
   for (const auto& tracer : tracers) result.counts += tracer->counts();
   result.planes = std::move(planes);
   result.trace_seconds = seconds_since(traced);
+  result.processor_seconds = processor_seconds() - processor;
   return result;
 }
 

@@ -40,6 +40,7 @@ struct RenderResult {
   AntialiasCounts antialias;
   double prepare_seconds = 0;  ///< matrices, envelopes, hierarchy
   double trace_seconds = 0;
+  double processor_seconds = 0;  ///< of tracing, all threads together
   EffectSet effects;     ///< those that ran
   bool complete = true;  ///< false: stopped before the end
 };

@@ -1,6 +1,7 @@
 #include "tracer/sample_adaptive.h"
 
 #include <algorithm>
+#include <bit>
 #include <array>
 #include <cstdlib>
 #include <unordered_map>

@@ -3,10 +3,12 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "tracer/processor_time.h"
 #include "tracer/sample_adaptive.h"
 #include "tracer/sample_random.h"
 
 namespace sir {
+
 bool antialias(const RenderOptions& options, const SampleSource& source, RenderResult& result) {
   if (!options.antialias.valid())
     throw std::invalid_argument("an option of antialiasing is out of its range");
@@ -28,11 +30,13 @@ RenderResult render_antialiased(const Scene& scene, const RenderOptions& options
   result.effects = sampler.effects();
   result.prepare_seconds = seconds(Clock::now() - start);
   const auto traced = Clock::now();
+  const double processor = processor_seconds();
   result.complete = antialias(options, sampler.source(progress, stop), result);
   // Levels that nothing called for are not reported.
   if (result.complete && progress) progress(1);
   result.counts = sampler.counts();
   result.trace_seconds = seconds(Clock::now() - traced);
+  result.processor_seconds = processor_seconds() - processor;
   return result;
 }
 

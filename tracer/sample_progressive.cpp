@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tracer/processor_time.h"
 #include "tracer/sample_antialias.h"
 #include "tracer/sample_points.h"
 
@@ -28,6 +29,13 @@ class Progressive {
     result_.effects = sampler_.effects();
     result_.prepare_seconds = seconds_since(start_);
     start_ = Clock::now();
+    processor_start_ = processor_seconds();
+  }
+
+  // Time that was not spent on tracing.
+  void leave_out(std::chrono::steady_clock::duration time, double processor) {
+    start_ += time;
+    processor_start_ += processor;
   }
 
   double share() const { return double(traced_) / double(picture_.size.pixels()); }
@@ -64,6 +72,7 @@ class Progressive {
     result_.counts = sampler_.counts();
     result_.planes = std::move(picture_);
     result_.trace_seconds = seconds_since(start_);
+    result_.processor_seconds = processor_seconds() - processor_start_;
     return std::move(result_);
   }
 
@@ -135,6 +144,7 @@ class Progressive {
   const std::function<void(double)>& progress_;
   const std::stop_token& stop_;
   Clock::time_point start_;
+  double processor_start_ = 0;
   PointSampler sampler_;
   Planes picture_;
   std::vector<State> state_;  // of each pixel
@@ -156,16 +166,22 @@ RenderResult render_progressive(const Scene& scene, const RenderOptions& options
     throw std::invalid_argument("an option of antialiasing is out of its range");
   Progressive work(scene, options, progress, stop);
   if (!work.trace_all(kCoarsest)) return work.finish(false);
-  show(work.picture(), {kCoarsest, false, false, work.share()});
+  const auto pause = [&](const Stage& stage) {
+    const auto start = std::chrono::steady_clock::now();
+    const double processor = processor_seconds();
+    show(work.picture(), stage);
+    work.leave_out(std::chrono::steady_clock::now() - start, processor_seconds() - processor);
+  };
+  pause({kCoarsest, false, false, work.share()});
   for (int block = kCoarsest; block > 1; block /= 2) {
     if (!work.refine(block)) return work.finish(false);
-    show(work.picture(), {block / 2, true, false, work.share()});
+    pause({block / 2, true, false, work.share()});
   }
   if (!work.trace_all(1)) return work.finish(false);
-  show(work.picture(), {1, false, false, work.share()});
+  pause({1, false, false, work.share()});
   if (options.antialiased()) {
     if (!work.antialias()) return work.finish(false);
-    show(work.picture(), {1, false, true, work.share()});
+    pause({1, false, true, work.share()});
   }
   return work.finish(true);
 }

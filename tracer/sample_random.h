@@ -7,7 +7,7 @@
 namespace sir {
 
 /// The place of one of `samples` rays of the pixel in column i and row j of the whole
-/// image, within [i, i+1) x [j, j+1). Correlated multi-jittered (Kensler, Pixar
+/// image, within [i, i+1] x [j, j+1]. Correlated multi-jittered (Kensler, Pixar
 /// Technical Memo 13-01, 2013, with its permutation): with m = floor(sqrt(samples)) and
 /// n = ceil(samples / m) each of n x m equal cells holds one point at most, and so do
 /// each of the `samples` rows and each of the n m columns of the pixel. A primary's

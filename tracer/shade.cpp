@@ -35,7 +35,7 @@ Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& 
   if (ledger) {
     Colour<T> most(0);
     for (const PointLight<T>& source : model.lights) most += most_of(k, source);
-    ledger->expect(weight * most);
+    ledger->expect(weight * most, static_cast<T>(model.lights.size()));
     ledger->settle(Colour<T>(0), weight * sum);
   }
   for (const PointLight<T>& source : model.lights) {
