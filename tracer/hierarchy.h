@@ -45,13 +45,20 @@ class Hierarchy {
   /// The envelope of everything.
   Bounds<T> bounds() const { return nodes_.empty() ? Bounds<T>{} : nodes_[0].bounds; }
 
- private:
   struct Node {
     Bounds<T> bounds;
     std::uint32_t first = 0;  ///< inner: its children are first and first + 1;
                               ///< leaf: its boxes are order_[first .. first + size)
     std::uint32_t size = 0;   ///< 0: inner
   };
+
+  /// The tree itself, the root first, parents before their children; order()[i] is
+  /// the index of the box that boxes()[i] shows.
+  std::span<const Node> nodes() const { return nodes_; }
+  std::span<const std::uint32_t> order() const { return order_; }
+  std::span<const Bounds<T>> boxes() const { return boxes_; }
+
+ private:
   static constexpr std::size_t kMaxDepth = 64;  // halving: 2^64 boxes would fit
   static constexpr std::uint32_t kLeafSize = 2;
 
