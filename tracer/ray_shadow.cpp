@@ -9,11 +9,19 @@ Colour<T> light_reaching(const Model<T>& model, Classifier<T>& classifier, const
   if (!model.effects.filter)
     return classifier.blocked(ray, hit.leaving_on_eye_side(), light.clearance) ? Colour<T>(0)
                                                                                : light.intensity;
-  classifier.begin(ray, hit.leaving_on_eye_side(), T(1));
-  T passed = 1;
   Boundary<T> boundary;
-  while (classifier.next(boundary) && boundary.t < 1 && !Numeric<T>::same_event(boundary.t, T(1))) {
-    const T kt = reflectance_at(model, boundary, ray.at(boundary.t)).transmission;
+  const auto between = [&] { return boundary.t < 1 && !Numeric<T>::same_event(boundary.t, T(1)); };
+  const auto transmission = [&] {
+    return reflectance_at(model, boundary, ray.at(boundary.t)).transmission;
+  };
+  // Most rays meet nothing, or something opaque: only glass needs the whole list.
+  const RayStart<T> start = hit.leaving_on_eye_side();
+  if (!classifier.first(ray, start, boundary, T(1)) || !between()) return light.intensity;
+  if (!(transmission() > 0)) return Colour<T>(0);
+  classifier.begin(ray, start, T(1));
+  T passed = 1;
+  while (classifier.next(boundary) && between()) {
+    const T kt = transmission();
     if (!(kt > 0)) return Colour<T>(0);
     passed *= kt;
   }

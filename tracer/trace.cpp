@@ -61,10 +61,9 @@ Colour<T> Tracer<T>::follow(const RayCena<T>& ray, const RayStart<T>& start, T i
 template <typename T>
 bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T path_weight,
                      int depth, RayKind kind, T factor, const Colour<T>& most) {
-  classifier_.begin(ray, start);
-  counts_.spans += classifier_.spans();
   Boundary<T> boundary;
-  const bool met = classifier_.next(boundary);
+  const bool met = classifier_.first(ray, start, boundary);
+  counts_.spans += classifier_.spans();
   const std::size_t log_index = log_ ? log_ray(ray, path_weight, depth, kind, factor) : 0;
   if (!met) {
     if (log_) (*log_)[log_index].colour = glm::dvec3(model_.background);
