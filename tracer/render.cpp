@@ -25,6 +25,7 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
   RenderResult result;
   const auto start = std::chrono::steady_clock::now();
   const Model<T> model(scene, options.trace.possible_effects(), options.trace.formulas);
+  const auto laid_out = lay_out(model.solid, options.trace.engine);
   result.effects = model.effects;
   result.prepare_seconds = seconds_since(start);
 
@@ -33,7 +34,7 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
   Planes planes(ImageSize{region.width, region.height});
   std::vector<std::shared_ptr<Wavefront<T>>> fronts;
   const auto make_worker = [&]() -> TileWorker {
-    fronts.push_back(std::make_shared<Wavefront<T>>(model, options.trace));
+    fronts.push_back(std::make_shared<Wavefront<T>>(model, laid_out.get(), options.trace));
     return [&, front = fronts.back(), rays = std::vector<RayCena<T>>(),
             bytes = std::vector<Rgb8>()](const Region& tile) mutable {
       // A few rows at a time: enough rays to go together, and soon to be stopped.

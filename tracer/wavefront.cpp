@@ -7,17 +7,19 @@
 namespace sir {
 
 template <typename T>
-Wavefront<T>::Wavefront(const Model<T>& model, const TraceOptions& options)
+Wavefront<T>::Wavefront(const Model<T>& model, const PacketSolid<T>* laid_out,
+                        const TraceOptions& options)
     : model_(model),
       options_(options),
-      classifier_(model.solid, options.engine),
+      packets_(model.solid, laid_out, options.engine),
       deep_(model, options),
       bound_(model, options) {}
 
 template <typename T>
 RayCounts Wavefront<T>::counts() const {
   RayCounts counts = counts_;
-  counts.exact = classifier_.exact_intersections();
+  counts.exact = packets_.classifier().exact_intersections();
+  counts.spans += packets_.spans();
   counts += deep_.counts();
   return counts;
 }
@@ -57,18 +59,19 @@ void Wavefront<T>::pixels(std::span<const RayCena<T>> primary, std::span<Rgb8> b
 // Where the rays hit: a point for each, and what its secondary rays may bring.
 template <typename T>
 void Wavefront<T>::find_hits(int depth) {
-  for (const Ray& ray : rays_) {
-    classifier_.begin(ray.ray, ray.start);
-    counts_.spans += classifier_.spans();
-    Boundary<T> boundary;
+  together_.clear();
+  for (const Ray& ray : rays_) together_.push_back({ray.ray, ray.start});
+  packets_.first(together_, std::numeric_limits<T>::infinity(), met_, boundaries_);
+  for (std::size_t i = 0; i < rays_.size(); ++i) {
+    const Ray& ray = rays_[i];
     PixelLedger<T>& ledger = ledgers_[ray.pixel];
-    if (!classifier_.next(boundary)) {
+    if (!met_[i]) {
       ledger.settle(ray.most, ray.path_weight * model_.background);
       deliver(ray.parent, ray.pixel, ray.mirror, model_.background);
       continue;
     }
     Node& node = nodes_.emplace_back();
-    node.hit = hit_at(model_, ray.ray, boundary);
+    node.hit = hit_at(model_, ray.ray, boundaries_[i]);
     node.branching = branching_at(model_, node.hit, ray.index);
     node.path_weight = ray.path_weight;
     node.parent = ray.parent;
@@ -94,33 +97,70 @@ void Wavefront<T>::shade_nodes(std::size_t first) {
 template <typename T>
 void Wavefront<T>::ask_light(std::size_t first, const PointLight<T>& source) {
   const EffectSet& effects = model_.effects;
+  asked_.clear();
+  together_.clear();
   for (std::size_t n = first; n < nodes_.size(); ++n) {
     Node& node = nodes_[n];
     PixelLedger<T>& ledger = ledgers_[node.pixel];
     const Incidence<T> incidence(node.hit, source);
-    const bool lit = incidence.cosine > 0;
     const Colour<T> most = most_of(*node.hit.reflectance, source);
+    const bool lit = incidence.cosine > 0;
     const bool asked = effects.exhaustive ? incidence.distance > 0 : lit && most != Colour<T>(0);
-    Colour<T> arriving(0), came(0);
-    if (asked) {
-      arriving = source.intensity;
-      if (effects.shadow) {
-        if (ledger.decided()) {
-          ++counts_.spared;
-          continue;
-        }
-        arriving = light_reaching(model_, classifier_, node.hit, incidence.to_light, source);
-        ++counts_.shadow;
-        if (arriving != source.intensity && arriving != Colour<T>(0)) ++counts_.filtered;
-        counts_.spans += classifier_.spans();
-      }
+    if (!asked) {
+      ledger.settle(node.path_weight * most, Colour<T>(0));
+    } else if (!effects.shadow) {
+      light_up(node, incidence, source, source.intensity);
+    } else if (ledger.decided()) {
+      ++counts_.spared;
+    } else {
+      asked_.push_back({static_cast<std::uint32_t>(n), incidence});
+      together_.push_back({{node.hit.point, incidence.to_light}, node.hit.leaving_on_eye_side()});
     }
-    if (lit && arriving != Colour<T>(0)) {
-      came = arriving * sent_back(effects, node.hit, incidence);
-      node.own += came;
-    }
-    ledger.settle(node.path_weight * most, node.path_weight * came);
   }
+  counts_.shadow += asked_.size();
+  find_arriving(source);
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    const Colour<T>& arriving = arriving_[i];
+    if (arriving != source.intensity && arriving != Colour<T>(0)) ++counts_.filtered;
+    light_up(nodes_[asked_[i].node], asked_[i].incidence, source, arriving);
+  }
+}
+
+// How much of the light comes along the rays that go together: light_reaching() of each.
+template <typename T>
+void Wavefront<T>::find_arriving(const PointLight<T>& source) {
+  arriving_.assign(together_.size(), source.intensity);
+  if (!model_.effects.filter) {
+    packets_.blocked(together_, source.clearance, met_);
+    for (std::size_t i = 0; i < together_.size(); ++i)
+      if (met_[i]) arriving_[i] = Colour<T>(0);
+    return;
+  }
+  // Most meet nothing, or something opaque: only glass needs the whole list.
+  packets_.first(together_, T(1), met_, boundaries_);
+  for (std::size_t i = 0; i < together_.size(); ++i) {
+    if (!met_[i]) continue;
+    const RayCena<T>& ray = together_[i].ray;
+    const Boundary<T>& boundary = boundaries_[i];
+    if (!(boundary.t < 1) || Numeric<T>::same_event(boundary.t, T(1))) continue;
+    const bool glass = reflectance_at(model_, boundary, ray.at(boundary.t)).transmission > 0;
+    const Node& node = nodes_[asked_[i].node];
+    arriving_[i] = glass ? light_reaching(model_, packets_.classifier(), node.hit,
+                                          asked_[i].incidence.to_light, source)
+                         : Colour<T>(0);
+  }
+}
+
+template <typename T>
+void Wavefront<T>::light_up(Node& node, const Incidence<T>& incidence, const PointLight<T>& source,
+                            const Colour<T>& arriving) {
+  Colour<T> came(0);
+  if (incidence.cosine > 0 && arriving != Colour<T>(0)) {
+    came = arriving * sent_back(model_.effects, node.hit, incidence);
+    node.own += came;
+  }
+  ledgers_[node.pixel].settle(node.path_weight * most_of(*node.hit.reflectance, source),
+                              node.path_weight * came);
 }
 
 template <typename T>

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "tracer/packets.h"
+#include "tracer/shade.h"
 #include "tracer/trace.h"
 
 namespace sir {
@@ -14,7 +16,8 @@ namespace sir {
 template <typename T>
 class Wavefront {
  public:
-  Wavefront(const Model<T>& model, const TraceOptions& options);
+  /// `laid_out`: the model's solid for packets, or null (see lay_out()).
+  Wavefront(const Model<T>& model, const PacketSolid<T>* laid_out, const TraceOptions& options);
 
   /// The bytes of primary rays, as many as there are places in `bytes`.
   void pixels(std::span<const RayCena<T>> primary, std::span<Rgb8> bytes);
@@ -46,6 +49,9 @@ class Wavefront {
   void find_hits(int depth);
   void shade_nodes(std::size_t first);
   void ask_light(std::size_t first, const PointLight<T>& source);
+  void find_arriving(const PointLight<T>& source);
+  void light_up(Node& node, const Incidence<T>& incidence, const PointLight<T>& source,
+                const Colour<T>& arriving);
   void branch(std::size_t first, int depth);
   void branch_off(std::uint32_t node, bool mirror, int depth);
   void finish_deep(int depth);
@@ -55,13 +61,23 @@ class Wavefront {
 
   const Model<T>& model_;
   TraceOptions options_;
-  Classifier<T> classifier_;
+  Packets<T> packets_;
   Tracer<T> deep_;  // beyond kBreadth
   RadianceBound<T> bound_;
   RayCounts counts_;
   std::vector<Ray> rays_, next_;
   std::vector<Node> nodes_;  // of all depths, in order
   std::vector<PixelLedger<T>> ledgers_;
+  // The rays that go together, what they ask for, and what was found.
+  struct Asked {
+    std::uint32_t node;
+    Incidence<T> incidence;
+  };
+  std::vector<Asked> asked_;
+  std::vector<StartedRay<T>> together_;
+  std::vector<char> met_;
+  std::vector<Boundary<T>> boundaries_;
+  std::vector<Colour<T>> arriving_;
   std::vector<Colour<T>> colours_;  // of the pixels
 };
 
