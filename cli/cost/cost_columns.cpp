@@ -147,7 +147,7 @@ std::vector<std::pair<std::string, std::string>> cost_legend(const CostReport& r
         legend.end(),
         {{"LUT, time",
           "counting the colours and choosing 256 (choose), and finding each pixel's entry (map), "
-          "on 1 thread; --budget counts both where there is no scene"},
+          "on 1 thread, its processor time; --budget counts both where there is no scene"},
          {"LUT, picture",
           "as the monitor shows it, against the true colours; dE p95: 95 % of the "
           "pixels are within; hues lost: share of the coloured pixels that land "

@@ -1,16 +1,11 @@
-#include <chrono>
-
 #include "cli/cost/measure.h"
 #include "quant/metrics.h"
+#include "tracer/processor_time.h"
 
 namespace sir::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double milliseconds(Clock::time_point from, Clock::time_point to) {
-  return std::chrono::duration<double, std::milli>(to - from).count();
-}
+double milliseconds(double from, double to) { return (to - from) * 1e3; }
 
 Planes as_seen(const Planes& image, const quant::Lut& lut,
                const std::vector<std::uint8_t>& indices) {
@@ -69,12 +64,12 @@ std::optional<CostPart> measure_lut(const Planes& image, const std::vector<LutSe
 
   const auto run = [&](std::size_t i) {
     if (options.stop.stop_requested()) return false;
-    const auto start = Clock::now();
+    const double start = processor_seconds();
     const auto cells = quant::count_for(image, settings[i].choice);
     const auto lut = quant::choose_from(cells, settings[i].choice);
-    const auto chosen = Clock::now();
+    const double chosen = processor_seconds();
     const auto indices = map_by(settings[i].search, image, lut);
-    const auto mapped = Clock::now();
+    const double mapped = processor_seconds();
     CostRow& row = part.rows[i];
     row.ms.push_back(milliseconds(start, mapped));
     row.lut->choose_ms.push_back(milliseconds(start, chosen));
