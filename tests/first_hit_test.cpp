@@ -76,5 +76,73 @@ TYPED_TEST(FirstHit, IsTheFirstOfTheList) {
   this->RecordProperty("other_digits", tally.other_digits);
 }
 
+// Many small solids side by side and through one another, with a piece cut off.
+Scene crowd(std::uint64_t seed, bool aligned) {
+  test::SceneBuilder build;
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> any(-2, 2);
+  const auto primitive = [&] {
+    const auto kind = static_cast<PrimitiveKind>(random() % 4);
+    if (!aligned) {
+      Placement placement = test::random_placement(random, 0.6, random() % 2);
+      placement.translation = {any(random), any(random), any(random)};
+      return build.primitive(kind, placement);
+    }
+    const auto grid = [&] { return std::round(any(random) * 2) / 2; };
+    return build.primitive(kind, test::placed(glm::dvec3(0.5), {grid(), grid(), grid()}));
+  };
+  auto root = primitive();
+  for (int n = 0; n < 40; ++n) {
+    auto part = primitive();
+    for (std::uint64_t k = random() % 3; k > 0; --k)
+      part = build.combine(random() % 2 ? Operation::difference : Operation::intersection, part,
+                           primitive());
+    root = build.combine(Operation::union_of, root, part);
+  }
+  if (seed % 2)
+    root = build.combine(Operation::difference, root, build.cube({-0.5, -0.5, -0.5}, {3, 3, 3}));
+  return build.finish(root);
+}
+
+TYPED_TEST(FirstHit, IsTheFirstOfManyParts) {
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 80; ++seed)
+    for (const bool aligned : {false, true})
+      ASSERT_NO_FATAL_FAILURE(compare<TypeParam>(crowd(seed, aligned), seed, aligned, tally));
+  EXPECT_GT(tally.met, 10000);
+  EXPECT_GT(tally.missed, 5000);
+  EXPECT_GT(tally.fewer_spans, 10000u);
+  EXPECT_LT(tally.other_digits, (tally.met + tally.missed) / 1000);
+  this->RecordProperty("other_digits", tally.other_digits);
+}
+
+// Seen from so far away that what is one event reaches from part to part.
+TYPED_TEST(FirstHit, FromFarAway) {
+  using T = TypeParam;
+  int met = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Model<T> model(crowd(seed, seed % 3 == 0), {});
+    Classifier<T> fast(model.solid), ordered(model.solid);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> any(-1, 1);
+    for (const double distance : {1e2, 1e4, 1e6, 1e8, 1e12, 1e15})
+      for (int n = 0; n < 100; ++n) {
+        const glm::dvec3 target(any(random), any(random), any(random));
+        const glm::dvec3 away = glm::normalize(glm::dvec3(any(random), any(random), any(random)));
+        const RayCena<T> ray{{glm::vec<3, T>(target + distance * away)}, {glm::vec<3, T>(-away)}};
+        ordered.begin(ray);
+        Boundary<T> expected, found;
+        ASSERT_EQ(fast.first(ray, {}, found), ordered.next(expected)) << seed << " " << distance;
+        EXPECT_EQ(found.leaf, expected.leaf);
+        EXPECT_EQ(found.face, expected.face);
+        EXPECT_EQ(found.entering, expected.entering);
+        EXPECT_LE(std::abs(found.t - expected.t),
+                  found.error + expected.error + 2 * Numeric<T>::kEpsilon * expected.t);
+        met += expected.t > 0;
+      }
+  }
+  EXPECT_GT(met, 500);
+}
+
 }  // namespace
 }  // namespace sir

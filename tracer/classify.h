@@ -138,6 +138,7 @@ class Classifier {
   Presence presence_of(const ProductRange& product);
   Change change_of(const ProductRange& product, T farthest);
   Change change_within() const;
+  bool trust(std::uint32_t index);
   bool isolated(const Event& event) const;
   bool vague(const Event& event) const;
   T chained(T a, T b) const { return chain_ * std::max(std::abs(a), std::abs(b)); }

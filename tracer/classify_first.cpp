@@ -42,7 +42,8 @@ typename Classifier<T>::Presence Classifier<T>::first_surely(T farthest, Boundar
   const auto& d = ray_.direction.v;
   const T speed = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   if (!(reach(event) * speed <= solid_.products.gap)) return Presence::doubtful;
-  if (doubted(event)) return Presence::doubtful;
+  const Event found = as_found(event.crossed, event.enters);
+  if (!doubtful(found) && doubted(found)) return Presence::doubtful;
   boundary = boundary_of(event, !nearest.change.inside);
   return Presence::present;
 }
@@ -77,27 +78,43 @@ typename Classifier<T>::Change Classifier<T>::change_of(const ProductRange& prod
   positives_ = product.positives;
   const std::uint32_t* leaf = solid_.products.leaves.data() + product.first;
   T from = 0, to = farthest;
-  for (std::uint32_t i = 0; i < product.positives; ++i) {
-    const std::uint32_t met = met_at(leaf[i]);
-    if (met == kNone) return {};
-    members_.push_back(met);
-    const Span<T>& span = spans_[met].span;
+  const auto narrow = [&](const Span<T>& span) {
     from = std::max(from, span.enter - span.enter_error);
     to = std::min(to, span.leave + span.leave_error);
-    if (from > to) return {};
+    return from <= to;
+  };
+  for (std::uint32_t i = 0; i < product.positives; ++i) {
+    const std::uint32_t met = met_at(leaf[i]);
+    if (met == kNone || !narrow(spans_[met].span)) return {};
+    members_.push_back(met);
   }
+  for (const std::uint32_t member : members_)
+    if (!trust(member) || !narrow(spans_[member].span)) return {};
   for (std::uint32_t i = product.positives; i < product.positives + product.negatives; ++i) {
     const std::uint32_t met = met_at(leaf[i]);
     if (met == kNone) continue;
-    const Span<T>& span = spans_[met].span;
-    if (span.enter - span.enter_error > to + chained(to, to) ||
-        span.leave + span.leave_error < from - chained(from, from))
-      continue;
-    members_.push_back(met);
+    const auto beside = [&](const Span<T>& span) {
+      return span.enter - span.enter_error <= to + chained(to, to) &&
+             span.leave + span.leave_error >= from - chained(from, from);
+    };
+    if (beside(spans_[met].span) && trust(met) && beside(spans_[met].span)) members_.push_back(met);
   }
   Change change = change_within();
   change.from = from;
   return change;
+}
+
+// Sees to it that a span is known well enough, as settle() would; false where more
+// digits say that it is empty, or behind the start.
+template <typename T>
+bool Classifier<T>::trust(std::uint32_t index) {
+  Crossed& crossed = spans_[index];
+  if (!crossed.exact && (doubtful(as_found(index, true)) || doubtful(as_found(index, false)))) {
+    crossed.exact = true;
+    if (cross_exactly(crossed.leaf, crossed.span)) join_start(crossed.leaf, crossed.span);
+    else crossed.span.enter = crossed.span.leave = T(0);
+  }
+  return crossed.span.enter < crossed.span.leave && crossed.span.leave >= -crossed.span.leave_error;
 }
 
 // Of the product whose spans are members_.
@@ -108,8 +125,10 @@ typename Classifier<T>::Change Classifier<T>::change_within() const {
   Event entry{T(0), T(0), kNone, true},
       exit{std::numeric_limits<T>::infinity(), T(0), kNone, false};
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    if (vague(as_found(members_[i], true)) || vague(as_found(members_[i], false))) return change;
     const Span<T>& span = spans_[members_[i]].span;
+    if (vague({span.enter, span.enter_error, members_[i], true}) ||
+        vague({span.leave, span.leave_error, members_[i], false}))
+      return change;
     if (i >= positives_) continue;
     if (span.enter > entry.t) entry = {span.enter, span.enter_error, members_[i], true};
     if (span.leave < exit.t) exit = {span.leave, span.leave_error, members_[i], false};
