@@ -144,10 +144,9 @@ void Wavefront<T>::find_arriving(const PointLight<T>& source) {
     const Boundary<T>& boundary = boundaries_[i];
     if (!(boundary.t < 1) || Numeric<T>::same_event(boundary.t, T(1))) continue;
     const bool glass = reflectance_at(model_, boundary, ray.at(boundary.t)).transmission > 0;
-    const Node& node = nodes_[asked_[i].node];
-    arriving_[i] = glass ? light_reaching(model_, packets_.classifier(), node.hit,
-                                          asked_[i].incidence.to_light, source)
-                         : Colour<T>(0);
+    arriving_[i] =
+        glass ? light_through(model_, packets_.classifier(), ray, together_[i].start, source)
+              : Colour<T>(0);
   }
 }
 
