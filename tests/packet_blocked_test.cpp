@@ -39,9 +39,8 @@ template <typename T>
 void compare_scene(const Scene& scene, std::uint64_t seed, BlockedTally& secondary,
                    BlockedTally& free) {
   const Model<T> model(scene, {});
-  const Products<T> products = test::plain_products(model.solid);
-  ASSERT_TRUE(products.complete);
-  const PacketSolid<T> packets(model.solid, products);
+  ASSERT_TRUE(model.solid.products.complete);
+  const PacketSolid<T> packets(model.solid);
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> any(-3, 3);
   const auto point = [&] { return glm::dvec3(any(random), any(random), any(random)); };

@@ -42,7 +42,7 @@ typename Classifier<T>::Presence Classifier<T>::first_surely(T farthest, Boundar
   const auto& d = ray_.direction.v;
   const T speed = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   if (!(reach(event) * speed <= solid_.products.gap)) return Presence::doubtful;
-  if (doubted(event)) return Presence::doubtful;
+  if (doubtful(event)) return Presence::doubtful;
   boundary = boundary_of(event, !nearest.change.inside);
   return Presence::present;
 }
