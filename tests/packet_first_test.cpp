@@ -19,7 +19,7 @@ auto bits_of(T number) {
 }
 
 struct FirstTally {
-  int hits = 0, misses = 0, doubtful = 0, sharpened = 0, exits = 0;
+  int hits = 0, misses = 0, doubtful = 0, exits = 0;
   int lanes() const { return hits + misses + doubtful; }
   double share_doubtful() const { return double(doubtful) / lanes(); }
 };
@@ -29,8 +29,7 @@ struct FirstTallies {
   FirstTally free, mirrored, through;
 };
 
-// What a packet is certain of is what the Classifier finds. Its t may have more
-// digits, if something else on the ray made it ask for them.
+// What a packet is certain of is what the Classifier finds.
 template <typename T>
 void compare_first(const Solid<T>& solid, const PacketSolid<T>& packets, const RayPacket<T>& packet,
                    FirstTally& tally) {
@@ -47,7 +46,6 @@ void compare_first(const Solid<T>& solid, const PacketSolid<T>& packets, const R
       ++tally.doubtful;
       continue;
     }
-    const auto before = classifier.exact_intersections();
     classifier.begin(packet.ray(lane), packet.start(lane));
     Boundary<T> expected;
     const bool met = classifier.next(expected);
@@ -73,13 +71,12 @@ void compare_first(const Solid<T>& solid, const PacketSolid<T>& packets, const R
     ASSERT_EQ(got.entering, expected.entering) << where();
     ASSERT_EQ(got.leaf_entering, expected.leaf_entering) << where();
     tally.exits += !got.entering;
-    if (classifier.exact_intersections() == before) {
-      ASSERT_EQ(bits_of(got.t), bits_of(expected.t)) << where();
-      ASSERT_EQ(bits_of(got.error), bits_of(expected.error)) << where();
-    } else {
-      tally.sharpened += bits_of(got.t) != bits_of(expected.t);
-      ASSERT_LE(std::abs(got.t - expected.t), got.error + expected.error) << where();
-    }
+    Boundary<T> first;
+    ASSERT_TRUE(classifier.first(packet.ray(lane), packet.start(lane), first)) << where();
+    ASSERT_EQ(bits_of(got.t), bits_of(first.t)) << where();
+    ASSERT_EQ(bits_of(got.error), bits_of(first.error)) << where();
+    ASSERT_EQ(bits_of(got.t), bits_of(expected.t)) << where();
+    ASSERT_EQ(bits_of(got.error), bits_of(expected.error)) << where();
   }
 }
 
@@ -89,15 +86,14 @@ template <typename T>
 void compare_scene(const Scene& scene, std::uint64_t seed, int packets_of_rays,
                    FirstTallies& tallies) {
   const Model<T> model(scene, {});
-  const Products<T> products = test::plain_products(model.solid);
-  ASSERT_TRUE(products.complete);
-  const PacketSolid<T> packets(model.solid, products);
+  ASSERT_TRUE(model.solid.products.complete);
+  const PacketSolid<T> packets(model.solid);
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> any(-3, 3);
   const auto point = [&] { return glm::dvec3(any(random), any(random), any(random)); };
   Classifier<T> classifier(model.solid);
   for (int n = 0; n < packets_of_rays; ++n) {
-    RayPacket<T> packet, mirrored, through;
+    RayPacket<T> packet, outside, through;
     const glm::dvec3 eye = point() * (n % 3 ? 2.0 : 0.5), target = point();
     for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
       const glm::dvec3 aim = n % 4 ? target + point() * 0.05 : point();
@@ -106,14 +102,15 @@ void compare_scene(const Scene& scene, std::uint64_t seed, int packets_of_rays,
       classifier.begin(ray);
       Boundary<T> boundary;
       if (!classifier.next(boundary)) continue;
-      if (n % 5 == 0) classifier.next(boundary);
+      // Rays that begin inside of two parts at once are the Classifier's: apart.
+      const bool inside = n % 5 == 0 ? classifier.next(boundary) : !boundary.entering;
       const Hit<T> hit = hit_at(model, ray, boundary);
-      mirrored.set(lane, {hit.point, sir::mirrored(hit.incident, hit.normal)},
-                   hit.leaving_on_eye_side());
-      through.set(lane, {hit.point, hit.incident}, hit.leaving_through());
+      (inside ? through : outside)
+          .set(lane, {hit.point, mirrored(hit.incident, hit.normal)}, hit.leaving_on_eye_side());
+      if (!inside) through.set(lane, {hit.point, hit.incident}, hit.leaving_through());
     }
     ASSERT_NO_FATAL_FAILURE(compare_first(model.solid, packets, packet, tallies.free));
-    ASSERT_NO_FATAL_FAILURE(compare_first(model.solid, packets, mirrored, tallies.mirrored));
+    ASSERT_NO_FATAL_FAILURE(compare_first(model.solid, packets, outside, tallies.mirrored));
     ASSERT_NO_FATAL_FAILURE(compare_first(model.solid, packets, through, tallies.through));
   }
 }
@@ -128,44 +125,45 @@ void compare_scenes(bool aligned, FirstTallies& tallies) {
         << "seed " << seed;
   }
   for (const FirstTally& tally : {tallies.free, tallies.mirrored, tallies.through}) {
-    std::printf("doubtful %.4f hits %d misses %d exits %d sharpened %d\n", tally.share_doubtful(),
-                tally.hits, tally.misses, tally.exits, tally.sharpened);
-    EXPECT_GT(tally.hits, 3000);
-    EXPECT_GT(tally.misses, 1000);
-    EXPECT_GT(tally.exits, 100);
+    EXPECT_GT(tally.hits, 1500);
+    EXPECT_GT(tally.misses, 300);
   }
+  EXPECT_GT(tallies.free.exits, 100);
+  EXPECT_GT(tallies.through.exits, 100);
 }
 
-// Parts that overlap: a ray in two of them at once is the Classifier's.
+// How many lanes went which way: the same on every instruction set.
 template <typename T>
-void compare_scattered() {
+std::vector<int> compare_scenes(bool aligned, double most_doubtful) {
   FirstTallies tallies;
-  compare_scenes<T>(false, tallies);
-  EXPECT_LT(tallies.free.share_doubtful(), 0.02);
-  EXPECT_LT(tallies.mirrored.share_doubtful(), 0.02);
-  EXPECT_LT(tallies.through.share_doubtful(), 0.15);
+  compare_scenes<T>(aligned, tallies);
+  EXPECT_LT(tallies.free.share_doubtful(), most_doubtful);
+  EXPECT_LT(tallies.mirrored.share_doubtful(), most_doubtful);
+  EXPECT_LT(tallies.through.share_doubtful(), 0.2);  // many in two parts at once
+  std::vector<int> counts;
+  for (const FirstTally& tally : {tallies.free, tallies.mirrored, tallies.through})
+    counts.insert(counts.end(), {tally.hits, tally.misses, tally.doubtful, tally.exits});
+  return counts;
 }
 
-template <typename T>
-void compare_lattices() {
-  FirstTallies tallies;
-  compare_scenes<T>(true, tallies);
+void compare_on_each_instruction_set(bool aligned, double most_doubtful) {
+  std::vector<std::vector<int>> counts;
+  test::with_each_instruction_set([&](const char* set) {
+    SCOPED_TRACE(set);
+    counts.push_back(compare_scenes<double>(aligned, most_doubtful));
+    counts.push_back(compare_scenes<float>(aligned, most_doubtful));
+    EXPECT_EQ(counts[counts.size() - 2], counts[0]);
+    EXPECT_EQ(counts[counts.size() - 1], counts[1]);
+  });
+  EXPECT_GE(counts.size(), 2u);
 }
 
 TEST(PacketFirst, IsTheClassifiersWherePartsLieAnyhow) {
-  test::with_each_instruction_set([](const char* set) {
-    SCOPED_TRACE(set);
-    compare_scattered<double>();
-    compare_scattered<float>();
-  });
+  compare_on_each_instruction_set(false, 0.02);
 }
 
 TEST(PacketFirst, IsTheClassifiersWhereFacesCoincide) {
-  test::with_each_instruction_set([](const char* set) {
-    SCOPED_TRACE(set);
-    compare_lattices<double>();
-    compare_lattices<float>();
-  });
+  compare_on_each_instruction_set(true, 0.2);
 }
 
 }  // namespace

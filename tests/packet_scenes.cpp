@@ -6,41 +6,6 @@
 
 namespace sir::test {
 
-template <typename T>
-Products<T> plain_products(const Solid<T>& solid) {
-  Products<T> products;
-  std::vector<std::vector<std::uint32_t>> positives(solid.products.size());
-  auto negatives = positives;
-  for (std::uint32_t i = 0; i < solid.leaves.size(); ++i) {
-    const Leaf<T>& leaf = solid.leaves[i];
-    if (leaf.product < 0) return {};
-    (leaf.complemented ? negatives : positives)[static_cast<std::size_t>(leaf.product)].push_back(
-        i);
-  }
-  std::vector<Bounds<T>> boxes;
-  for (std::size_t p = 0; p < solid.products.size(); ++p) {
-    products.list.push_back({static_cast<std::uint32_t>(products.leaves.size()),
-                             static_cast<std::uint32_t>(positives[p].size()),
-                             static_cast<std::uint32_t>(negatives[p].size())});
-    Bounds<T> box{glm::vec<3, T>(-std::numeric_limits<T>::infinity()),
-                  glm::vec<3, T>(std::numeric_limits<T>::infinity())};
-    for (const std::uint32_t i : positives[p]) {
-      const Bounds<T> one = bounds_of(solid.leaves[i].kind, solid.leaves[i].placement);
-      box.low = glm::max(box.low, one.low);
-      box.high = glm::min(box.high, one.high);
-      products.leaves.push_back(i);
-    }
-    products.leaves.insert(products.leaves.end(), negatives[p].begin(), negatives[p].end());
-    boxes.push_back(box);
-  }
-  products.hierarchy = Hierarchy<T>(boxes);
-  products.complete = true;
-  return products;
-}
-
-template Products<float> plain_products(const Solid<float>&);
-template Products<double> plain_products(const Solid<double>&);
-
 Scene union_of_parts(std::uint64_t seed, int parts, double size, bool aligned) {
   SceneBuilder build;
   std::mt19937_64 random(seed);

@@ -7,13 +7,8 @@
 
 #include "tests/scene_builder.h"
 #include "tracer/packet.h"
-#include "tracer/products.h"
 
 namespace sir::test {
-
-/// The parts of a solid that is a root union of them already: complete if it is.
-template <typename T>
-Products<T> plain_products(const Solid<T>& solid);
 
 /// A union of `parts` solids A, A-B, A-B-C or A^B, about `size` large, in [-2, 2]^3;
 /// on a coarse grid with `aligned`, so that faces coincide often.

@@ -92,8 +92,8 @@ void compare_primitive(const Leaf<T>& leaf, const RayPacket<T>& packet, int* tal
     ++tally[static_cast<int>(crossing)];
     if (!crosses) continue;
     const Span<T> span = found.span(lane);
-    ASSERT_EQ(bits_of(span.enter), bits_of(expected.enter));
-    ASSERT_EQ(bits_of(span.leave), bits_of(expected.leave));
+    ASSERT_EQ(bits_of(span.enter + T(0)), bits_of(expected.enter + T(0)));
+    ASSERT_EQ(bits_of(span.leave + T(0)), bits_of(expected.leave + T(0)));
     ASSERT_EQ(bits_of(span.enter_error), bits_of(expected.enter_error));
     ASSERT_EQ(bits_of(span.leave_error), bits_of(expected.leave_error));
     ASSERT_EQ(span.enter_face, expected.enter_face);

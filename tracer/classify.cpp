@@ -287,19 +287,9 @@ typename Classifier<T>::Event Classifier<T>::as_found(std::uint32_t crossed, boo
   return {span.leave, span.leave_error, crossed, false};
 }
 
-// Whether an event, as found, is in doubt by itself or beside one of the others.
-template <typename T>
-bool Classifier<T>::doubted(const Event& event) const {
-  if (doubtful(event)) return true;
-  for (std::uint32_t i = 0; i < spans_.size(); ++i)
-    for (const bool enters : {true, false}) {
-      if (i == event.crossed && enters == event.enters) continue;
-      const Event other = as_found(i, enters);
-      if (other.t < event.t ? doubtful(other, event) : doubtful(event, other)) return true;
-    }
-  return false;
-}
-
+// What is reported of a boundary is what its own primitive says, and does not change
+// with what else is near: not on the surfaces that it coincides with, nor on those
+// that the walk did or did not come by.
 template <typename T>
 Boundary<T> Classifier<T>::boundary_of(const Event& event, bool entering) const {
   const Crossed& crossed = spans_[event.crossed];
@@ -307,7 +297,7 @@ Boundary<T> Classifier<T>::boundary_of(const Event& event, bool entering) const 
   T t = event.t, error = event.error;
   if (crossed.exact && fusing_.nudge == 0) {
     const Event found = as_found(event.crossed, event.enters);
-    if (found.error > 0 && !doubted(found)) {
+    if (found.error > 0 && !doubtful(found)) {
       t = found.t;
       error = found.error;
     }

@@ -152,7 +152,6 @@ class Classifier {
   void list_events();
   bool doubtful(const Event& event) const;
   Event as_found(std::uint32_t crossed, bool enters) const;
-  bool doubted(const Event& event) const;
   bool apart(const Event& a, const Event& b, T error) const;
   bool doubtful(const Event& a, const Event& b) const;
   void sharpen(const Crossed& doubted);

@@ -42,8 +42,6 @@ typename Classifier<T>::Presence Classifier<T>::first_surely(T farthest, Boundar
   const auto& d = ray_.direction.v;
   const T speed = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   if (!(reach(event) * speed <= solid_.products.gap)) return Presence::doubtful;
-  const Event found = as_found(event.crossed, event.enters);
-  if (!doubtful(found) && doubted(found)) return Presence::doubtful;
   boundary = boundary_of(event, !nearest.change.inside);
   return Presence::present;
 }

@@ -22,8 +22,8 @@ class BlockedSearch {
   using B = Truths<T>;
 
  public:
-  HWY_INLINE BlockedSearch(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, T chain)
-      : solid_(solid), rays_(rays), chain_(chain) {
+  HWY_INLINE BlockedSearch(const PacketSolid<T>& solid, const ReadyPacket<T>& rays)
+      : solid_(solid), rays_(rays) {
     alignas(64) T light[kPacketLanes];
     std::fill_n(light, kPacketLanes, T(1));
     set_reach(rays, light, reach);
@@ -38,7 +38,7 @@ class BlockedSearch {
       if (seen.met.any()) {
         Stretches<T> sure = whole(), possible = whole();
         narrow(seen, sure, possible);
-        present = seen.met & (sure.to - sure.from > V(chain_));
+        present = seen.met & (sure.to - sure.from > V(solid_.chain));
         doubtful |= (seen.met & (possible.from < possible.to)) - present;
       }
     } else {
@@ -75,7 +75,6 @@ class BlockedSearch {
 
   const PacketSolid<T>& solid_;
   const ReadyPacket<T>& rays_;
-  T chain_;
   std::uint32_t blocked_ = 0, doubtful_ = 0;
 };
 
@@ -88,7 +87,7 @@ HWY_NOINLINE void BlockedSearch<T>::find_carved(const typename PacketSolid<T>::P
     V enter_low, enter_high, leave_low, leave_high;
     B met;
   };
-  const V infinity(std::numeric_limits<T>::infinity()), slack(chain_);
+  const V infinity(std::numeric_limits<T>::infinity()), slack(solid_.chain);
   Stretches<T> sure = whole(), possible = whole();
   B alive = where, vague = B::none();
   Met<T> seen;
@@ -147,9 +146,6 @@ HWY_NOINLINE void BlockedSearch<T>::find_carved(const typename PacketSolid<T>::P
 template <typename T>
 HWY_INLINE void find_lanes(const PacketSolid<T>& solid, const RayPacket<T>& packet, T clearance,
                            PacketBlocked& found) {
-  // As Classifier::chain_: events of a ray to t = 1 that are one reach no further.
-  const T chain = 2 * Numeric<T>::kCoincidentUlps * Numeric<T>::kEpsilon *
-                  static_cast<T>(2 * solid.shapes.size() + 2);
   const T roundings = Numeric<T>::kBoxRoundings * Numeric<T>::kEpsilon;
   ReadyPacket<T> rays(packet, solid.shapes);
   std::uint32_t clear = 0;
@@ -157,11 +153,13 @@ HWY_INLINE void find_lanes(const PacketSolid<T>& solid, const RayPacket<T>& pack
     const T far = std::max({std::abs(rays.origin[0][lane]), std::abs(rays.origin[1][lane]),
                             std::abs(rays.origin[2][lane])});
     const T speed = rays.speed[lane];
-    if (chain * speed + roundings * (far + speed) < clearance) clear |= 1u << lane;
+    if (solid.chain * speed <= solid.gap &&
+        solid.chain * speed + roundings * (far + speed) < clearance)
+      clear |= 1u << lane;
   }
   rays.wild |= rays.tame & ~clear;
   rays.tame &= clear;
-  BlockedSearch<T> search(solid, rays, chain);
+  BlockedSearch<T> search(solid, rays);
   walk(solid, rays, search.reach, search);
   search.finish(found);
 }

@@ -12,17 +12,6 @@ HWY_BEFORE_NAMESPACE();
 namespace sir {
 namespace HWY_NAMESPACE {
 
-/// As many spans of one lane are allowed for: chains of boundaries that are one
-/// event reach no further. A lane that meets more is left to the Classifier.
-template <typename T>
-inline constexpr int kMostMet = std::numeric_limits<T>::digits > 30 ? 64 : 12;
-
-/// Within this, relative to t, boundaries may be one event.
-template <typename T>
-inline constexpr T kChain = 2 *
-                            Numeric<T>::kCoincidentUlps* Numeric<T>::kEpsilon* T(2 * kMostMet<T> +
-                                                                                 2);
-
 /// Lanes in neither `certain` nor `doubtful` have no change.
 template <typename T>
 struct Change {
@@ -40,7 +29,6 @@ struct End {
   Numbers<T> t, error;
   Numbers<T> others;  ///< the nearest that another one may lie
   Codes<T> code;
-  Truths<T> trusted;
 };
 
 /// Spans by which primitives take something away from a part.
@@ -48,7 +36,7 @@ template <typename T>
 struct Carved {
   Numbers<T> enter, leave, enter_error, leave_error;
   Codes<T> enter_code, leave_code;
-  Truths<T> met, trusted;
+  Truths<T> met;
 };
 
 template <typename T>
@@ -59,8 +47,8 @@ class Changer {
   static constexpr std::size_t kMostCarved = 24;
 
  public:
-  HWY_INLINE Changer(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, T* met)
-      : solid_(solid), rays_(rays), met_(met) {}
+  HWY_INLINE Changer(const PacketSolid<T>& solid, const ReadyPacket<T>& rays)
+      : solid_(solid), rays_(rays) {}
 
   /// Of a part whose envelope the lanes of `where` enter at `box_enter`; what comes
   /// after `reach` does not matter.
@@ -75,9 +63,6 @@ class Changer {
  private:
   HWY_INLINE void look(std::uint32_t slot, B where, Met<T>& seen) {
     meet(solid_.leaves[slot], rays_, lane_, where, seen);
-    const B counted = seen.met | seen.unsure;
-    const V before = V::load(met_ + lane_);
-    select(counted, before + V(T(1)), before).store(met_ + lane_);
   }
 
   HWY_INLINE void find_alone(const typename PacketSolid<T>::Part& part, B where,
@@ -89,9 +74,9 @@ class Changer {
     if (!seen.met.any()) return;
     const B outside = seen.enter > seen.enter_error;
     change.inside = seen.met & (seen.enter < -seen.enter_error) & (seen.leave > seen.leave_error);
-    const B thick =
-        seen.leave - seen.enter > seen.enter_error + seen.leave_error + V(kChain<T>) * seen.leave;
-    change.certain = seen.trusted & ((seen.met & outside & thick) | change.inside);
+    const B thick = seen.leave - seen.enter >
+                    seen.enter_error + seen.leave_error + V(solid_.chain) * seen.leave;
+    change.certain = (seen.met & outside & thick) | change.inside;
     change.inside &= change.certain;
     change.doubtful |= seen.met - change.certain;
     change.t = select(change.inside, seen.leave, seen.enter);
@@ -108,7 +93,6 @@ class Changer {
 
   const PacketSolid<T>& solid_;
   const ReadyPacket<T>& rays_;
-  T* met_;
   std::size_t lane_ = 0, count_ = 0;
   Carved<T> carved_[kMostCarved];
 };
@@ -127,18 +111,18 @@ HWY_INLINE void Changer<T>::carve(const typename PacketSolid<T>::Part& part, B w
       continue;
     }
     carved_[count_++] = {seen.enter,        seen.leave,        seen.enter_error, seen.leave_error,
-                         seen.enter_code(), seen.leave_code(), seen.met,         seen.trusted};
+                         seen.enter_code(), seen.leave_code(), seen.met};
   }
 }
 
 template <typename T>
 HWY_NOINLINE void Changer<T>::find_carved(const typename PacketSolid<T>::Part& part, B where,
                                           V reach, Change<T>& change) {
-  const V zero(T(0)), chain(kChain<T>);
+  const V zero(T(0)), chain(solid_.chain);
   change.certain = change.doubtful = change.inside = B::none();
   B alive = where, vague = B::none();
-  End<T> last_enter{V(-kInfinity), zero, V(-kInfinity), Codes<T>(0u), B::none()};
-  End<T> first_leave{V(kInfinity), zero, V(kInfinity), Codes<T>(0u), B::none()};
+  End<T> last_enter{V(-kInfinity), zero, V(-kInfinity), Codes<T>(0u)};
+  End<T> first_leave{V(kInfinity), zero, V(kInfinity), Codes<T>(0u)};
   V surely_left(kInfinity);
   for (std::uint32_t k = 0; k < part.positives; ++k) {
     Met<T> seen;
@@ -155,7 +139,6 @@ HWY_NOINLINE void Changer<T>::find_carved(const typename PacketSolid<T>::Part& p
       end.t = select(better, seen.enter, end.t);
       end.error = select(better, seen.enter_error, end.error);
       end.code = select(better, seen.enter_code() | Codes<T>(kEntering), end.code);
-      end.trusted = (end.trusted - better) | (better & seen.trusted);
     }
     {
       End<T>& end = first_leave;
@@ -165,7 +148,6 @@ HWY_NOINLINE void Changer<T>::find_carved(const typename PacketSolid<T>::Part& p
       end.t = select(better, seen.leave, end.t);
       end.error = select(better, seen.leave_error, end.error);
       end.code = select(better, seen.leave_code(), end.code);
-      end.trusted = (end.trusted - better) | (better & seen.trusted);
     }
     surely_left = select(seen.met, lesser(surely_left, seen.leave + seen.leave_error), surely_left);
     change.least =
@@ -183,7 +165,6 @@ HWY_NOINLINE void Changer<T>::find_carved(const typename PacketSolid<T>::Part& p
   V from_low = from - from_error;
   V from_high = select(outside, greater(from + from_error, last_enter.others), zero);
   Codes<T> from_code = last_enter.code;
-  B from_trusted = last_enter.trusted;
   B named = from_low > last_enter.others + chain * from_high;
   B moved = B::none();
   carve(part, alive, vague);
@@ -201,7 +182,6 @@ HWY_NOINLINE void Changer<T>::find_carved(const typename PacketSolid<T>::Part& p
       from_low = select(covers, c.leave - c.leave_error, from_low);
       from_high = select(covers, c.leave + c.leave_error, from_high);
       from_code = select(covers, c.leave_code | Codes<T>(kEntering), from_code);
-      from_trusted = (from_trusted - covers) | (covers & c.trusted);
       named |= covers;
       moved |= covers;
       again |= covers;
@@ -223,17 +203,15 @@ HWY_NOINLINE void Changer<T>::find_carved(const typename PacketSolid<T>::Part& p
     exit.t = select(better, c.enter, exit.t);
     exit.error = select(better, c.enter_error, exit.error);
     exit.code = select(better, c.enter_code, exit.code);
-    exit.trusted = (exit.trusted - better) | (better & c.trusted);
     const B thick = c.leave - c.enter > c.enter_error + c.leave_error + chain * c.leave;
     vague |= better - thick;
   }
   const V exit_low = lesser(exit.t - exit.error, exit.others);
   const V leave_low = lesser(first_leave.t - first_leave.error, first_leave.others);
-  const B leaves = inside & exit.trusted & (exit_low > zero) &
-                   (exit.t + exit.error + chain * exit.t < exit.others);
+  const B leaves =
+      inside & (exit_low > zero) & (exit.t + exit.error + chain * exit.t < exit.others);
   const B absent = (from_low > surely_left) - (inside | vague);
-  const B enters =
-      (named & from_trusted & (leave_low > from_high + chain * first_leave.t)) - inside;
+  const B enters = (named & (leave_low > from_high + chain * first_leave.t)) - inside;
   alive -= absent;
   change.inside = (alive & leaves) - vague;
   change.certain = change.inside | ((alive & enters) - vague);

@@ -18,7 +18,7 @@ class FirstSearch {
 
  public:
   HWY_INLINE FirstSearch(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, const T* farthest)
-      : changer_(solid, rays, met_) {
+      : solid_(solid), changer_(solid, rays) {
     set_reach(rays, farthest, reach);
     std::fill_n(t_, kPacketLanes, std::numeric_limits<T>::infinity());
     std::fill_n(rival_, kPacketLanes, std::numeric_limits<T>::infinity());
@@ -32,28 +32,34 @@ class FirstSearch {
   }
 
   HWY_INLINE void finish(const ReadyPacket<T>& rays, PacketFirst<T>& found) const {
-    found.missed = rays.still;
-    found.doubtful = rays.wild;
+    std::uint32_t hit = 0, clear = 0;
+    const V infinity(std::numeric_limits<T>::infinity()), chain(solid_.chain), one(T(1)), two(T(2));
+    const V trust(Numeric<T>::kTrustedRoundings * Numeric<T>::kEpsilon);
+    for (std::size_t lane = 0; lane < kPacketLanes; lane += hn::MaxLanes(Chunk<T>())) {
+      const V t = V::load(t_ + lane), error = V::load(error_ + lane), end = t + error;
+      const V rival = V::load(rival_ + lane);
+      const Codes<T> entering = Codes<T>::load(code_ + lane) & Codes<T>(kEntering);
+      const Truths<T> any = t < infinity;
+      const Truths<T> leaves = (V::load(around_ + lane) == V(T(0))) | (entering == Codes<T>(0u));
+      const Truths<T> known = (t > error) & (error <= trust * (t + V::load(rays.start_t + lane)));
+      const Truths<T> narrow =
+          (error + two * chain * end) * V::load(rays.speed + lane) <= V(solid_.gap);
+      const Truths<T> alone =
+          (any & leaves & known & narrow & (rival > end * (one + two * chain))) |
+          ((rival == infinity) - any);
+      hit |= any.bits() << lane;
+      clear |= alone.bits() << lane;
+    }
+    found.missed = rays.still | (rays.tame & clear & ~hit);
+    found.hit = rays.tame & clear & hit;
+    found.doubtful = rays.wild | (rays.tame & ~clear);
     for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
-      const std::uint32_t bit = 1u << lane;
-      if (!(rays.tame & bit)) continue;
-      const bool any = t_[lane] < std::numeric_limits<T>::infinity();
-      const bool entering = (code_[lane] & kEntering) != 0;
-      const T clear =
-          any ? (t_[lane] + error_[lane]) * (1 + 2 * kChain<T>) : std::numeric_limits<T>::max();
-      if (!(rival_[lane] > clear) || met_[lane] > T(kMostMet<T>) ||
-          (around_[lane] > 0 && entering)) {
-        found.doubtful |= bit;
-      } else if (!any) {
-        found.missed |= bit;
-      } else {
-        found.hit |= bit;
-        const auto code = static_cast<std::uint32_t>(code_[lane]);
-        found.boundary[lane] = {
-            t_[lane] + T(0),    error_[lane],
-            code >> kLeafShift, static_cast<std::uint8_t>(code >> kFaceShift & 7u),
-            entering,           (code & kLeafEntering) != 0};
-      }
+      if (!(found.hit >> lane & 1u)) continue;
+      const auto code = static_cast<std::uint32_t>(code_[lane]);
+      found.boundary[lane] = {
+          t_[lane] + T(0),         error_[lane],
+          code >> kLeafShift,      static_cast<std::uint8_t>(code >> kFaceShift & 7u),
+          (code & kEntering) != 0, (code & kLeafEntering) != 0};
     }
   }
 
@@ -83,14 +89,14 @@ class FirstSearch {
       select(better, change.code, code).store(code_ + lane);
     }
     rival.store(rival_ + lane);
-    const V needed = lesser(t + error, rival) * V(1 + 4 * kChain<T>);
+    const V needed = lesser(t + error, rival) * V(1 + 4 * solid_.chain);
     lesser(V::load(reach + lane), needed).store(reach + lane);
   }
 
   alignas(64) T t_[kPacketLanes], error_[kPacketLanes] = {}, rival_[kPacketLanes];
-  alignas(64) T met_[kPacketLanes] = {};     // spans
   alignas(64) T around_[kPacketLanes] = {};  // 1: a part is around the start
   alignas(64) Word code_[kPacketLanes] = {};
+  const PacketSolid<T>& solid_;
   Changer<T> changer_;
 };
 

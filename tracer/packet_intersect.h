@@ -24,7 +24,8 @@ struct PacketSpans {
 };
 
 /// The whole lines, without regard to where the rays start. Bit for bit what the
-/// scalar functions answer, on every processor. T: float or double.
+/// scalar functions answer, but for the sign of a zero, on every processor. T: float
+/// or double.
 template <typename T>
 PacketSpans<T> intersect_packet(const PacketLeaf<T>& leaf, const RayPacket<T>& rays);
 

@@ -295,17 +295,13 @@ HWY_NOINLINE void cross(const PacketLeaf<T>& leaf, const ReadyPacket<T>& rays, s
   spans.enter = spans.leave = spans.enter_error = spans.leave_error = zero;
   spans.enter_face = spans.leave_face = Codes<T>(0u);
   LocalRays<T> local;
-  if (leaf.kind == PrimitiveKind::sphere && leaf.diagonal) {
-    to_local<T, true>(leaf, rays, lane, local);
-    cross_spheres(leaf, local, where, spans);
-  } else {
-    to_local<T, false>(leaf, rays, lane, local);
-    switch (leaf.kind) {
-      case PrimitiveKind::cube: cross_cubes(leaf, local, where, spans); break;
-      case PrimitiveKind::sphere: cross_spheres(leaf, local, where, spans); break;
-      case PrimitiveKind::cone: cross_cones(leaf, local, where, spans); break;
-      case PrimitiveKind::cylinder: cross_cylinders(leaf, local, where, spans); break;
-    }
+  if (leaf.diagonal) to_local<T, true>(leaf, rays, lane, local);
+  else to_local<T, false>(leaf, rays, lane, local);
+  switch (leaf.kind) {
+    case PrimitiveKind::cube: cross_cubes(leaf, local, where, spans); break;
+    case PrimitiveKind::sphere: cross_spheres(leaf, local, where, spans); break;
+    case PrimitiveKind::cone: cross_cones(leaf, local, where, spans); break;
+    case PrimitiveKind::cylinder: cross_cylinders(leaf, local, where, spans); break;
   }
   spans.unsure |= asked - where;
   spans.near_start = Truths<T>::none();

@@ -26,8 +26,7 @@ struct Met {
   Numbers<T> enter, leave, enter_error, leave_error;
   Codes<T> enter_face, leave_face;
   Truths<T> met;
-  Truths<T> unsure;   ///< the primitive may be met, and only more digits tell where
-  Truths<T> trusted;  ///< neither end is so uncertain that the Classifier asks for more
+  Truths<T> unsure;  ///< the primitive may be met, and only more digits tell where
   std::uint32_t leaf;
 
   HWY_INLINE Codes<T> enter_code() const {
@@ -60,7 +59,6 @@ HWY_INLINE void meet(const PacketLeaf<T>& leaf, const ReadyPacket<T>& rays, std:
   seen.leave_error = spans.leave_error;
   seen.enter_face = spans.enter_face;
   seen.leave_face = spans.leave_face;
-  seen.trusted = Truths<T>::none();
   if (!spans.crosses.any()) return;
   const V zero(T(0));
   if (rays.start_ends) {
@@ -75,12 +73,6 @@ HWY_INLINE void meet(const PacketLeaf<T>& leaf, const ReadyPacket<T>& rays, std:
     seen.unsure |= joined;
     seen.met -= joined;
   }
-  const V start_t = V::load(rays.start_t + lane);
-  const auto trusted = [start_t](V t, V error) HWY_ATTR {
-    constexpr T kMost = Numeric<T>::kTrustedRoundings * Numeric<T>::kEpsilon;
-    return (t < -error) | !(error > V(kMost) * (t + start_t));
-  };
-  seen.trusted = trusted(seen.enter, seen.enter_error) & trusted(seen.leave, seen.leave_error);
 }
 
 /// The parts whose envelopes some lanes meet at t in [0, reach[lane]], about front
@@ -92,7 +84,7 @@ HWY_INLINE void walk(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, co
   using V = Numbers<T>;
   constexpr std::size_t kStep = hn::MaxLanes(Chunk<T>());
   if (solid.nodes.empty() || rays.tame == 0) return;
-  std::uint32_t open[PacketSolid<T>::kMostDepth + 1];
+  std::uint32_t open[Hierarchy<T>::kMaxDepth + 1];
   std::size_t count = 0;
   open[count++] = 0;
   while (count > 0) {

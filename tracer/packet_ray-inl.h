@@ -7,6 +7,8 @@
 #define SIR_TRACER_PACKET_RAY_INL_H_
 #endif
 
+#include <bit>
+
 #include "tracer/packet_solid.h"
 #include "tracer/packet_vector-inl.h"
 
@@ -99,27 +101,37 @@ HWY_INLINE void ReadyPacket<T>::ready_lanes(const RayPacket<T>& packet, std::siz
 template <typename T>
 HWY_INLINE ReadyPacket<T>::ReadyPacket(const RayPacket<T>& packet,
                                        const std::vector<std::uint32_t>& shapes) {
-  for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
-    const bool secondary =
-        packet.start_leaf[lane] != RayStart<T>::kNowhere && (packet.active >> lane & 1u);
-    const std::uint32_t shape = secondary ? shapes[packet.start_leaf[lane]] : kNoShape;
-    const bool inward = packet.inward >> lane & 1u;
-    away_shape[lane] = inward ? kNoShape : shape;
-    inward_shape[lane] = inward ? shape : kNoShape;
-    start_error[lane] = secondary ? packet.start_error[lane] : T(-1);
-    start_ends |= secondary;
+  std::uint32_t secondary = 0;
+  for (std::size_t lane = 0; lane < kPacketLanes; ++lane)
+    secondary |= std::uint32_t{packet.start_leaf[lane] != RayStart<T>::kNowhere} << lane;
+  secondary &= packet.active;
+  start_ends = secondary;
+  std::fill_n(start_error, kPacketLanes, T(-1));
+  if (secondary != 0) {
+    for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
+      const bool starts = secondary >> lane & 1u, inward = packet.inward >> lane & 1u;
+      const std::uint32_t shape = starts ? shapes[packet.start_leaf[lane]] : kNoShape;
+      away_shape[lane] = inward ? kNoShape : shape;
+      inward_shape[lane] = inward ? shape : kNoShape;
+      if (starts) start_error[lane] = packet.start_error[lane];
+    }
   }
-  for (std::size_t lane = 0; lane < kPacketLanes; lane += hn::Lanes(Chunk<T>()))
+  std::uint32_t down[3] = {};
+  using V = Numbers<T>;
+  V least(std::numeric_limits<T>::infinity()), most(T(0));
+  for (std::size_t lane = 0; lane < kPacketLanes; lane += hn::MaxLanes(Chunk<T>())) {
     ready_lanes(packet, lane);
-  least_pace = std::numeric_limits<T>::infinity();
-  int balance[3] = {};
-  for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
-    if (!(tame >> lane & 1u)) continue;
-    least_pace = std::min(least_pace, pace[lane]);
-    most_pace = std::max(most_pace, pace[lane]);
-    for (int axis = 0; axis < 3; ++axis) balance[axis] += packet.direction[axis][lane] < 0 ? 1 : -1;
+    const Truths<T> tame_lanes = truths_of<T>(tame >> lane);
+    const V own = V::load(pace + lane);
+    least = select(tame_lanes, lesser(least, own), least);
+    most = select(tame_lanes, greater(most, own), most);
+    for (int axis = 0; axis < 3; ++axis)
+      down[axis] |= (V::load(paced[axis] + lane) < V(T(0))).bits() << lane;
   }
-  for (int axis = 0; axis < 3; ++axis) descending[axis] = balance[axis] > 0;
+  least_pace = hn::GetLane(hn::MinOfLanes(Chunk<T>(), least.v));
+  most_pace = hn::GetLane(hn::MaxOfLanes(Chunk<T>(), most.v));
+  for (int axis = 0; axis < 3; ++axis)
+    descending[axis] = 2 * std::popcount(down[axis] & tame) > std::popcount(tame);
 }
 
 /// The lanes whose rays may meet a box at some t in [0, reach]; never fewer. And

@@ -45,21 +45,22 @@ PacketLeaf<T>::PacketLeaf(const Leaf<T>& from, std::uint32_t index)
 }
 
 template <typename T>
-PacketSolid<T>::PacketSolid(const Solid<T>& solid, const Products<T>& products) {
+PacketSolid<T>::PacketSolid(const Solid<T>& solid)
+    : chain(2 * Numeric<T>::kCoincidentUlps * Numeric<T>::kEpsilon *
+            static_cast<T>(2 * std::size_t(solid.products.crowd) + 2)),
+      gap(solid.products.gap) {
   for (const Leaf<T>& leaf : solid.leaves) shapes.push_back(leaf.shape);
+  const Products<T>& products = solid.products;
   const auto from = products.hierarchy.nodes();
-  std::vector<std::size_t> depths(from.size(), 1);
-  for (std::size_t n = 0; n < from.size(); ++n) {
-    PacketNode<T> node{packet_box(from[n].bounds), from[n].first, from[n].size};
-    depth = std::max(depth, depths[n]);
-    if (node.size == 0) {
-      depths[node.first] = depths[node.first + 1] = depths[n] + 1;
-      const auto gap = from[node.first + 1].bounds.centre() - from[node.first].bounds.centre();
-      for (std::uint8_t axis = 0; axis < 3; ++axis)
-        if (std::abs(gap[axis]) > std::abs(gap[node.axis])) node.axis = axis;
-      node.ascending = gap[node.axis] >= 0;
-    }
-    nodes.push_back(node);
+  for (const auto& node : from) {
+    nodes.push_back({packet_box(node.bounds), node.first, node.size});
+    if (node.size > 0) continue;
+    const auto between = from[node.first + 1].bounds.centre() - from[node.first].bounds.centre();
+    std::uint8_t widest = 0;
+    for (std::uint8_t axis = 1; axis < 3; ++axis)
+      if (std::abs(between[axis]) > std::abs(between[widest])) widest = axis;
+    nodes.back().axis = widest;
+    nodes.back().ascending = between[widest] >= 0;
   }
   const auto order = products.hierarchy.order();
   const auto boxes = products.hierarchy.boxes();

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "tracer/products.h"
 #include "tracer/solid.h"
 
 namespace sir {
@@ -43,11 +42,11 @@ struct PacketNode {
   bool ascending = true;    ///< the first child lies lower there
 };
 
-/// A union of parts, as Products, in the order of its hierarchy.
+/// A union of parts: Solid::products, in the order of their hierarchy.
 template <typename T>
 struct PacketSolid {
-  /// `products` must be complete and belong to `solid`.
-  PacketSolid(const Solid<T>& solid, const Products<T>& products);
+  /// The solid's products must be complete.
+  explicit PacketSolid(const Solid<T>& solid);
 
   struct Part {
     PacketBox<T> box;
@@ -59,10 +58,8 @@ struct PacketSolid {
   std::vector<Part> parts;
   std::vector<PacketLeaf<T>> leaves;
   std::vector<std::uint32_t> shapes;  ///< of Solid::leaves
-  std::size_t depth = 0;              ///< of the nodes: 1 where there is but the root
-
-  static constexpr std::size_t kMostDepth = 96;
-  bool usable() const { return depth <= kMostDepth; }  ///< else rays go to the Classifier
+  T chain = 0;  ///< boundaries that are one event reach no further, relative to t
+  T gap = 0;    ///< nor may that be further than this, in SC_CENA (Products::gap)
 };
 
 }  // namespace sir

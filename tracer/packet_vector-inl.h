@@ -122,6 +122,7 @@ struct Codes {
   HWY_INLINE void store(Word* to) const { hn::Store(v, Tag(), to); }
 
   friend HWY_INLINE Codes operator|(Codes a, Codes b) { return {hn::Or(a.v, b.v)}; }
+  friend HWY_INLINE Codes operator&(Codes a, Codes b) { return {hn::And(a.v, b.v)}; }
   friend HWY_INLINE Truths<T> operator==(Codes a, Codes b) {
     return {hn::RebindMask(Chunk<T>(), hn::Eq(a.v, b.v))};
   }
