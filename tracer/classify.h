@@ -74,6 +74,10 @@ class Classifier {
   /// The next boundary in order of t; false when there is none.
   bool next(Boundary<T>& boundary);
 
+  /// Where there are no more primitives, next() after begin() is as fast as what
+  /// does with less.
+  static constexpr std::size_t kFew = 8;
+
   /// The first boundary that begin() and next() would find; false where there is
   /// none. Where it is clear which one that is, only what the ray meets up to there
   /// is intersected, and nothing is sorted. The digits are the same too, unless a

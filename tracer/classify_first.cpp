@@ -13,7 +13,7 @@ namespace sir {
 template <typename T>
 bool Classifier<T>::first(const RayCena<T>& ray, const RayStart<T>& start, Boundary<T>& boundary,
                           T farthest) {
-  if (products_serve(ray) && set_out(ray, start)) {
+  if (solid_.leaves.size() > kFew && products_serve(ray) && set_out(ray, start)) {
     const Presence found = first_surely(farthest, boundary);
     if (found != Presence::doubtful) return found == Presence::present;
   }

@@ -16,8 +16,10 @@ Colour<T> light_reaching(const Model<T>& model, Classifier<T>& classifier, const
   };
   // Most rays meet nothing, or something opaque: only glass needs the whole list.
   const RayStart<T> start = hit.leaving_on_eye_side();
-  if (!classifier.first(ray, start, boundary, T(1)) || !between()) return light.intensity;
-  if (!(transmission() > 0)) return Colour<T>(0);
+  if (model.solid.leaves.size() > Classifier<T>::kFew) {
+    if (!classifier.first(ray, start, boundary, T(1)) || !between()) return light.intensity;
+    if (!(transmission() > 0)) return Colour<T>(0);
+  }
   return light_through(model, classifier, ray, start, light);
 }
 
