@@ -80,8 +80,7 @@ template <typename T>
 std::shared_ptr<const PacketSolid<T>> lay_out(const Solid<T>& solid, Engine engine) {
   if constexpr (kInPackets<T>) {
     if (engine != Engine::gates || !solid.textbook.empty() || !solid.products.complete) return {};
-    auto made = std::make_shared<PacketSolid<T>>(solid, solid.products);
-    if (made->usable()) return made;
+    return std::make_shared<PacketSolid<T>>(solid);
   }
   return {};
 }
