@@ -139,7 +139,7 @@ std::vector<int> compare_scenes(bool aligned, double most_doubtful) {
   compare_scenes<T>(aligned, tallies);
   EXPECT_LT(tallies.free.share_doubtful(), most_doubtful);
   EXPECT_LT(tallies.mirrored.share_doubtful(), most_doubtful);
-  EXPECT_LT(tallies.through.share_doubtful(), 0.2);  // many in two parts at once
+  EXPECT_LT(tallies.through.share_doubtful(), aligned ? 0.3 : 0.12);  // in two parts at once
   std::vector<int> counts;
   for (const FirstTally& tally : {tallies.free, tallies.mirrored, tallies.through})
     counts.insert(counts.end(), {tally.hits, tally.misses, tally.doubtful, tally.exits});
