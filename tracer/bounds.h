@@ -21,6 +21,12 @@ struct Bounds {
     low = glm::min(low, other.low);
     high = glm::max(high, other.high);
   }
+  /// Whether the two come as near as `gap` along every axis.
+  bool near(const Bounds& other, T gap) const {
+    return low.x <= other.high.x + gap && other.low.x <= high.x + gap &&
+           low.y <= other.high.y + gap && other.low.y <= high.y + gap &&
+           low.z <= other.high.z + gap && other.low.z <= high.z + gap;
+  }
   glm::vec<3, T> centre() const { return low / T(2) + high / T(2); }
 };
 
@@ -43,13 +49,18 @@ class BoxProbe {
 
   /// Whether the line meets the box at some t in [0, farthest]. Never false
   /// where a solid in the box is hit; may be true where it is not.
-  bool meets(const Bounds<T>& box, T farthest) const {
+  bool meets(const Bounds<T>& box, T farthest) const { return !std::isnan(entry(box, farthest)); }
+
+  /// Where it meets the box first, at t in [0, farthest], a few roundings of t
+  /// aside and no more than `farthest`; not a number where it does not.
+  T entry(const Bounds<T>& box, T farthest) const {
+    constexpr T kMissed = std::numeric_limits<T>::quiet_NaN();
     T enter = 0, leave = farthest;
     for (int axis = 0; axis < 3; ++axis) {
       const T to_low = box.low[axis] - origin_[axis];
       const T to_high = box.high[axis] - origin_[axis];
       if (parallel_[axis]) {
-        if (to_low > 0 || to_high < 0) return false;
+        if (to_low > 0 || to_high < 0) return kMissed;
         continue;
       }
       const T a = to_low * reciprocal_[axis], b = to_high * reciprocal_[axis];
@@ -57,7 +68,7 @@ class BoxProbe {
       leave = std::min(leave, std::max(a, b));
     }
     // The quotients are good to a few roundings of t.
-    return enter <= leave * (1 + 8 * Numeric<T>::kEpsilon);
+    return enter <= leave * (1 + 8 * Numeric<T>::kEpsilon) ? std::min(enter, farthest) : kMissed;
   }
 
  private:

@@ -21,7 +21,9 @@ Classifier<T>::Classifier(const Solid<T>& solid, Engine engine, Fusing fusing)
       engine_(engine),
       fusing_(fusing),
       chain_(2 * Numeric<T>::kCoincidentUlps * Numeric<T>::kEpsilon *
-             static_cast<T>(2 * solid.leaves.size() + 2)),
+             static_cast<T>(2 * (solid.textbook.empty() ? std::size_t(solid.products.crowd)
+                                                        : solid.leaves.size()) +
+                            2)),
       stamp_(solid.gates.size(), 0),
       switched_(solid.gates.size(), 0) {
   inputs_.reserve(solid.gates.size());
@@ -38,6 +40,7 @@ bool Classifier<T>::set_out(const RayCena<T>& ray, const RayStart<T>& start) {
   spans_.clear();
   events_.clear();
   next_event_ = 0;
+  ++ray_number_;
   ray_ = ray;
   start_ = start;
   secondary_ = start.leaf != RayStart<T>::kNowhere;
@@ -80,7 +83,7 @@ bool Classifier<T>::gather_by_textbook(std::uint32_t index) {
   Span<T> span;
   if (!intersect_as_in_textbooks(solid_.textbook[index], ray_, span) || span.leave < 0)
     return false;
-  spans_.push_back({span, index, false, true, kNone});
+  spans_.push_back({span, span, index, false, true});
   return true;
 }
 
@@ -108,7 +111,7 @@ bool Classifier<T>::gather(std::uint32_t index) {
   join_start(index, span);
   // Behind the start without a doubt.
   if (span.leave < -span.leave_error || !(span.enter < span.leave)) return false;
-  spans_.push_back({span, index, false, exact, kNone});
+  spans_.push_back({span, span, index, false, exact});
   return true;
 }
 
@@ -278,11 +281,29 @@ bool Classifier<T>::toggle(Crossed& crossed) {
 }
 
 template <typename T>
+typename Classifier<T>::Event Classifier<T>::as_found(std::uint32_t crossed, bool enters) const {
+  const Span<T>& span = spans_[crossed].found;
+  if (enters) return {span.enter, span.enter_error, crossed, true};
+  return {span.leave, span.leave_error, crossed, false};
+}
+
+// What is reported of a boundary is what its own primitive says, and does not change
+// with what else is near: not on the surfaces that it coincides with, nor on those
+// that the walk did or did not come by.
+template <typename T>
 Boundary<T> Classifier<T>::boundary_of(const Event& event, bool entering) const {
   const Crossed& crossed = spans_[event.crossed];
   const auto face = event.enters ? crossed.span.enter_face : crossed.span.leave_face;
+  T t = event.t, error = event.error;
+  if (crossed.exact && fusing_.nudge == 0) {
+    const Event found = as_found(event.crossed, event.enters);
+    if (found.error > 0 && !doubtful(found)) {
+      t = found.t;
+      error = found.error;
+    }
+  }
   // A zero may have come out negative.
-  return {event.t + T(0), event.error, crossed.leaf, face, entering, event.enters};
+  return {t + T(0), error, crossed.leaf, face, entering, event.enters};
 }
 
 template <typename T>

@@ -51,7 +51,9 @@ struct Fusing {
 /// is one event, which comes first and which lie behind the start is decided on
 /// bounds of the errors; where these leave a doubt, or t could be off by more
 /// than Numeric::kTrustedRoundings, intersect_exactly() says. So the list is the
-/// one of exact arithmetic on the file's numbers, whatever the scene.
+/// one of exact arithmetic on the file's numbers, whatever the scene. A boundary
+/// that was in no doubt itself is reported as it was found, even if the other end
+/// of its primitive's span needed more digits.
 /// At each event the composition is asked once before and once after; where
 /// that differs there is a boundary, so that no span of zero length can arise.
 /// It is named by the primitive's surface that turns the same way as the
@@ -72,6 +74,18 @@ class Classifier {
   /// The next boundary in order of t; false when there is none.
   bool next(Boundary<T>& boundary);
 
+  /// Where there are no more primitives, next() after begin() is as fast as what
+  /// does with less.
+  static constexpr std::size_t kFew = 8;
+
+  /// The first boundary that begin() and next() would find; false where there is
+  /// none. Where it is clear which one that is, only what the ray meets up to there
+  /// is intersected, and nothing is sorted. The digits are the same too, unless a
+  /// primitive crosses within the errors that has no part in the solid there: that
+  /// one makes next() ask for more digits. next() may not be asked afterwards.
+  bool first(const RayCena<T>& ray, const RayStart<T>& start, Boundary<T>& boundary,
+             T farthest = std::numeric_limits<T>::infinity());
+
   /// Whether the solid has a boundary strictly between the ray's start and t = 1:
   /// next() after begin() would say the same, but where it is clear without
   /// ordering the boundaries, they are not. `clearance`: no primitive that adds to
@@ -79,7 +93,7 @@ class Classifier {
   /// that is not known.
   bool blocked(const RayCena<T>& ray, const RayStart<T>& start, T clearance);
 
-  /// Spans found by begin() or blocked(): intersections with primitives.
+  /// Spans found by begin(), first() or blocked(): intersections with primitives.
   std::size_t spans() const { return spans_.size(); }
 
   /// How many primitives had to be intersected exactly, since the beginning.
@@ -87,11 +101,11 @@ class Classifier {
 
  private:
   struct Crossed {
-    Span<T> span;
+    Span<T> span;   // with more digits, where the order depended on them
+    Span<T> found;  // without
     std::uint32_t leaf;
     bool inside;
     bool exact;
-    std::uint32_t sibling;  // blocked(): the one before in its product, or kNone
   };
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   struct Event {
@@ -109,14 +123,39 @@ class Classifier {
   bool gather(std::uint32_t leaf);
   bool gather_by_textbook(std::uint32_t leaf);
   enum class Presence : std::uint8_t { absent, present, doubtful };
-  Presence presence();
-  Presence presence_of(const Product& product, std::uint32_t last) const;
+  /// Where a product is first entered or left.
+  struct Change {
+    Presence certainty = Presence::absent;
+    Event event{};        // if present
+    bool inside = false;  // the product is there at the start: the change is that it ends
+    T from = 0;           // if doubtful: not before
+  };
+  /// The nearest of the changes so far.
+  struct Nearest {
+    Change change;
+    T doubtful_from = std::numeric_limits<T>::infinity();
+    int inside = 0;
+  };
+  bool products_serve(const RayCena<T>& ray) const;
+  std::uint32_t met_at(std::uint32_t leaf);
+  bool find_members(const ProductRange& product);
+  Presence presence_of(const ProductRange& product);
+  Change change_of(const ProductRange& product, T farthest);
+  Change change_within() const;
+  bool trust(std::uint32_t index);
+  bool isolated(const Event& event) const;
+  bool vague(const Event& event) const;
+  T chained(T a, T b) const { return chain_ * std::max(std::abs(a), std::abs(b)); }
+  T reach(const Event& event) const { return event.error + 2 * chained(event.t, event.t); }
+  void consider(const Change& change, Nearest& nearest) const;
+  Presence first_surely(T farthest, Boundary<T>& boundary);
   bool joined(const Crossed& crossed) const;
   bool cross_exactly(std::uint32_t leaf, Span<T>& span);
   void join_start(std::uint32_t leaf, Span<T>& span) const;
   void settle();
   void list_events();
   bool doubtful(const Event& event) const;
+  Event as_found(std::uint32_t crossed, bool enters) const;
   bool apart(const Event& a, const Event& b, T error) const;
   bool doubtful(const Event& a, const Event& b) const;
   void sharpen(const Crossed& doubted);
@@ -145,7 +184,16 @@ class Classifier {
   T start_t_ = 0;     // secondary rays: the t that is worth the origin's coordinates
   std::vector<Crossed> spans_;
   std::vector<Event> events_;
-  std::vector<std::uint32_t> last_of_, touched_;  // blocked(): by product; the products met
+  // Products: which span of this ray is a leaf's, if `ray` is this one; and those of
+  // the product that is looked at, positives first.
+  struct Found {
+    std::uint64_t ray = 0;
+    std::uint32_t crossed = 0;  // index into spans_, or kNone
+  };
+  std::vector<Found> found_;
+  std::vector<std::uint32_t> members_;
+  std::size_t positives_ = 0;
+  std::uint64_t ray_number_ = 0;
   std::uint64_t exact_intersections_ = 0;
   std::size_t next_event_ = 0;
   bool secondary_ = false;

@@ -40,98 +40,86 @@ bool Classifier<T>::blocked(const RayCena<T>& ray, const RayStart<T>& start, T c
   if (!set_out(ray, start)) return false;
   const T speed = largest(ray.direction.v);
   const T roundings = Numeric<T>::kBoxRoundings * Numeric<T>::kEpsilon;
-  const bool clear = engine_ == Engine::gates && solid_.textbook.empty() && fusing_.within_ulps &&
-                     fusing_.nudge == 0 &&
+  const bool clear = products_serve(ray) && chain_ * speed <= solid_.products.gap &&
                      chain_ * speed + roundings * (largest(ray.origin.v) + speed) < clearance;
   if (clear) {
-    bool met = false;
-    solid_.hierarchy.for_each_met(BoxProbe<T>(ray), T(1), [&](std::uint32_t index) {
-      const Leaf<T>& leaf = solid_.leaves[index];
-      if (!gather(index) || leaf.product < 0) return false;
-      const Product& product = solid_.products[static_cast<std::size_t>(leaf.product)];
-      const auto last = static_cast<std::uint32_t>(spans_.size() - 1);
-      met = product.alone && presence_of(product, last) == Presence::present;
-      return met;
-    });
-    if (met) return true;
-    const Presence found = presence();
+    Presence found = Presence::absent;
+    solid_.products.hierarchy.for_each_met_in_order(
+        BoxProbe<T>(ray), T(1), [&](std::uint32_t index, T farthest) {
+          const Presence one = presence_of(solid_.products.list[index]);
+          if (one == Presence::doubtful) found = one;
+          if (one != Presence::present) return farthest;
+          found = one;
+          return T(-1);
+        });
     if (found != Presence::doubtful) return found == Presence::present;
-    settle();
-  } else {
-    begin(ray, start, T(1));
   }
+  begin(ray, start, T(1));
   Boundary<T> boundary;
   bool met = next(boundary);
   while (met && !(boundary.t > 0)) met = next(boundary);  // a free ray's start
   return met && boundary.t < 1 && !Numeric<T>::same_event(boundary.t, T(1));
 }
 
-// Of the whole solid, on the ray between its start and t = 1.
+// Whether the products stand for the solid, as far as this Classifier goes.
 template <typename T>
-typename Classifier<T>::Presence Classifier<T>::presence() {
-  if (spans_.empty()) return Presence::absent;
-  last_of_.resize(solid_.products.size(), kNone);
-  touched_.clear();
-  bool doubtful = false;
-  for (std::uint32_t i = 0; i < spans_.size(); ++i) {
-    const std::int32_t product = solid_.leaves[spans_[i].leaf].product;
-    if (product < 0) {
-      doubtful = true;
-      continue;
-    }
-    std::uint32_t& last = last_of_[static_cast<std::size_t>(product)];
-    if (last == kNone) touched_.push_back(static_cast<std::uint32_t>(product));
-    spans_[i].sibling = last;
-    last = i;
-  }
-  bool present = false;
-  for (const std::uint32_t product : touched_) {
-    if (!present) {
-      const Presence found = presence_of(solid_.products[product], last_of_[product]);
-      present = found == Presence::present;
-      doubtful = doubtful || found == Presence::doubtful;
-    }
-    last_of_[product] = kNone;
-  }
-  return present ? Presence::present : doubtful ? Presence::doubtful : Presence::absent;
+bool Classifier<T>::products_serve(const RayCena<T>& ray) const {
+  const T speed = largest(ray.direction.v);
+  return engine_ == Engine::gates && solid_.products.complete && fusing_.within_ulps &&
+         fusing_.nudge == 0 && speed > 0 && std::isfinite(speed);
 }
 
-// Of one product, whose spans hang together from `last` on.
+// The leaf's span on this ray, worked out once.
 template <typename T>
-typename Classifier<T>::Presence Classifier<T>::presence_of(const Product& product,
-                                                            std::uint32_t last) const {
-  const auto for_each = [&](bool complemented, const auto& visit) {
-    for (std::uint32_t i = last; i != kNone; i = spans_[i].sibling)
-      if (solid_.leaves[spans_[i].leaf].complemented == complemented) visit(spans_[i]);
-  };
+std::uint32_t Classifier<T>::met_at(std::uint32_t leaf) {
+  Found& found = found_[leaf];
+  if (found.ray != ray_number_)
+    found = {ray_number_, gather(leaf) ? static_cast<std::uint32_t>(spans_.size() - 1) : kNone};
+  return found.crossed;
+}
+
+// Fills members_ with the spans of a product; false where a positive is not met.
+template <typename T>
+bool Classifier<T>::find_members(const ProductRange& product) {
+  found_.resize(solid_.leaves.size());
+  members_.clear();
+  positives_ = product.positives;
+  const std::uint32_t* leaf = solid_.products.leaves.data() + product.first;
+  for (std::uint32_t i = 0; i < product.positives + product.negatives; ++i) {
+    const std::uint32_t met = met_at(leaf[i]);
+    if (met != kNone) members_.push_back(met);
+    else if (i < product.positives) return false;
+  }
+  return true;
+}
+
+// Of one product, on the ray between its start and t = 1.
+template <typename T>
+typename Classifier<T>::Presence Classifier<T>::presence_of(const ProductRange& product) {
+  if (!find_members(product)) return Presence::absent;
+  const bool carved = members_.size() > positives_;
   // Surely within all positives, and possibly.
   Stretch<T> sure{0, 1}, possible{0, 1};
-  std::uint32_t positives = 0;
   bool tangled = false;
-  for_each(false, [&](const Crossed& crossed) {
-    const Span<T>& span = crossed.span;
-    ++positives;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const Crossed& crossed = spans_[members_[i]];
     tangled = tangled || joined(crossed);
+    if (i >= positives_) continue;
+    const Span<T>& span = crossed.span;
     sure.from = std::max(sure.from, span.enter + span.enter_error);
     sure.to = std::min(sure.to, span.leave - span.leave_error);
     possible.from = std::max(possible.from, span.enter - span.enter_error);
     possible.to = std::min(possible.to, span.leave + span.leave_error);
-  });
-  if (positives < product.positives) return Presence::absent;
-  bool carved = false;
-  for_each(true, [&](const Crossed& crossed) {
-    carved = true;
-    tangled = tangled || joined(crossed);
-  });
+  }
   if (tangled) return Presence::doubtful;
   if (!(possible.from < possible.to)) return Presence::absent;
   if (!carved) return sure.to - sure.from > chain_ ? Presence::present : Presence::doubtful;
 
   const auto possibly_carved = [&](const auto& visit) {
-    for_each(true, [&](const Crossed& crossed) {
-      const Span<T>& span = crossed.span;
+    for (std::size_t i = positives_; i < members_.size(); ++i) {
+      const Span<T>& span = spans_[members_[i]].span;
       visit(Stretch<T>{span.enter - span.enter_error, span.leave + span.leave_error});
-    });
+    }
   };
   while (sure.from < sure.to) {
     pass_covered(sure.from, chain_, possibly_carved);
@@ -143,10 +131,10 @@ typename Classifier<T>::Presence Classifier<T>::presence_of(const Product& produ
     sure.from = to;
   }
   pass_covered(possible.from, T(0), [&](const auto& visit) {
-    for_each(true, [&](const Crossed& crossed) {
-      const Span<T>& span = crossed.span;
+    for (std::size_t i = positives_; i < members_.size(); ++i) {
+      const Span<T>& span = spans_[members_[i]].span;
       visit(Stretch<T>{span.enter + span.enter_error, span.leave - span.leave_error});
-    });
+    }
   });
   return possible.from < possible.to ? Presence::doubtful : Presence::absent;
 }
@@ -161,9 +149,15 @@ bool Classifier<T>::joined(const Crossed& crossed) const {
          (at_start(span.enter, span.enter_error) || at_start(span.leave, span.leave_error));
 }
 
-template bool Classifier<float>::blocked(const RayCena<float>&, const RayStart<float>&, float);
-template bool Classifier<double>::blocked(const RayCena<double>&, const RayStart<double>&, double);
-template bool Classifier<long double>::blocked(const RayCena<long double>&,
-                                               const RayStart<long double>&, long double);
+#define SIR_INSTANTIATE(T)                                                        \
+  template bool Classifier<T>::blocked(const RayCena<T>&, const RayStart<T>&, T); \
+  template bool Classifier<T>::products_serve(const RayCena<T>&) const;           \
+  template std::uint32_t Classifier<T>::met_at(std::uint32_t);                    \
+  template bool Classifier<T>::find_members(const ProductRange&);                 \
+  template bool Classifier<T>::joined(const Crossed&) const;
+SIR_INSTANTIATE(float)
+SIR_INSTANTIATE(double)
+SIR_INSTANTIATE(long double)
+#undef SIR_INSTANTIATE
 
 }  // namespace sir

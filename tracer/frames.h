@@ -55,28 +55,37 @@ template <typename Frame, typename T>
 T dot(Normal<Frame, T> a, Vector<Frame, T> b) {
   return glm::dot(a.v, b.v);
 }
-/// 2^-e where squares of v's components would overflow or lose digits by being
-/// small, e the exponent of the largest; else 1.
+/// 2^-e where squares of v's components overflow or lose digits by being small, e
+/// the exponent of the largest. Kept apart, since it is hardly ever asked for.
 template <typename T>
-T out_of_harm(const glm::vec<3, T>& v, T square) {
-  constexpr T kLeast = std::numeric_limits<T>::min() /
-                       (std::numeric_limits<T>::epsilon() * std::numeric_limits<T>::epsilon());
-  if (square >= kLeast && square <= std::numeric_limits<T>::max()) return 1;
+[[gnu::noinline, gnu::cold]] T out_of_harm(const glm::vec<3, T>& v) {
   const T size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(size > 0) || !std::isfinite(size)) return 1;
   return std::ldexp(T(1), std::clamp(-std::ilogb(size), std::numeric_limits<T>::min_exponent,
                                      std::numeric_limits<T>::max_exponent - 2));
 }
+/// Whether the square of a length is far from underflow and overflow.
+template <typename T>
+bool well_sized(T square) {
+  constexpr T kLeast = std::numeric_limits<T>::min() /
+                       (std::numeric_limits<T>::epsilon() * std::numeric_limits<T>::epsilon());
+  return square >= kLeast && square <= std::numeric_limits<T>::max();
+}
 template <typename Frame, typename T>
 T length(Vector<Frame, T> a) {
-  const T square = glm::dot(a.v, a.v), factor = out_of_harm(a.v, square);
-  return factor == 1 ? std::sqrt(square) : glm::length(a.v * factor) / factor;
+  const T square = glm::dot(a.v, a.v);
+  if (well_sized(square)) [[likely]]
+    return std::sqrt(square);
+  const T factor = out_of_harm(a.v);
+  return glm::length(a.v * factor) / factor;
 }
 /// a / |a|; no numbers where a is zero.
 template <typename Frame, typename T>
 Vector<Frame, T> normalize(Vector<Frame, T> a) {
-  const T square = glm::dot(a.v, a.v), factor = out_of_harm(a.v, square);
-  return {factor == 1 ? a.v * glm::inversesqrt(square) : glm::normalize(a.v * factor)};
+  const T square = glm::dot(a.v, a.v);
+  if (well_sized(square)) [[likely]]
+    return {a.v * glm::inversesqrt(square)};
+  return {glm::normalize(a.v * out_of_harm(a.v))};
 }
 
 /// P(t) = origin + t direction (thesis 2.3.2); the direction has any length

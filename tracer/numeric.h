@@ -61,6 +61,10 @@ struct Numeric {
   /// than this many roundings.
   static constexpr T kTrustedRoundings = 1024;
 
+  /// Up to as many primitives times kEpsilon, chains of all of them are still short
+  /// on a ray; beyond, it pays to know how many can be in one place.
+  static constexpr T kFineChain = power_of_two<T>(-33);
+
   /// Boxes are widened by as many roundings of the numbers that went into them,
   /// so that they never hide a hit.
   static constexpr T kBoxRoundings = 64 * kGrain;

@@ -14,4 +14,10 @@ template <typename T>
 Colour<T> light_reaching(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& hit,
                          VectorCena<T> to_light, const PointLight<T>& light);
 
+/// The same with the filter effect for a ray from `start` to the light at t = 1 that
+/// is known to meet something: all boundaries, in order.
+template <typename T>
+Colour<T> light_through(const Model<T>& model, Classifier<T>& classifier, const RayCena<T>& ray,
+                        const RayStart<T>& start, const PointLight<T>& light);
+
 }  // namespace sir

@@ -9,6 +9,7 @@
 #include "tracer/recentre.h"
 #include "tracer/sample_antialias.h"
 #include "tracer/trace.h"
+#include "tracer/wavefront.h"
 
 namespace sir {
 namespace {
@@ -24,27 +25,40 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
   RenderResult result;
   const auto start = std::chrono::steady_clock::now();
   const Model<T> model(scene, options.trace.possible_effects(), options.trace.formulas);
+  const auto laid_out = lay_out(model.solid, options.trace.engine);
   result.effects = model.effects;
   result.prepare_seconds = seconds_since(start);
 
   const auto traced = std::chrono::steady_clock::now();
   const double processor = processor_seconds();
   Planes planes(ImageSize{region.width, region.height});
-  std::vector<std::shared_ptr<Tracer<T>>> tracers;
+  std::vector<std::shared_ptr<Wavefront<T>>> fronts;
   const auto make_worker = [&]() -> TileWorker {
-    tracers.push_back(std::make_shared<Tracer<T>>(model, options.trace));
-    return [&, tracer = tracers.back()](const Region& tile) {
-      for (int j = tile.y; j < tile.y + tile.height && !stop.stop_requested(); ++j)
-        for (int i = tile.x; i < tile.x + tile.width; ++i) {
-          const auto ray = model.camera.primary_ray(region.x + i, region.y + j, options.size);
-          planes.set(static_cast<std::size_t>(j) * static_cast<std::size_t>(region.width) +
-                         static_cast<std::size_t>(i),
-                     tracer->pixel(ray));
+    fronts.push_back(std::make_shared<Wavefront<T>>(model, laid_out.get(), options.trace));
+    return [&, front = fronts.back(), rays = std::vector<RayCena<T>>(),
+            bytes = std::vector<Rgb8>()](const Region& tile) mutable {
+      // A few rows at a time: enough rays to go together, and soon to be stopped.
+      constexpr int kRows = 8;
+      for (int top = 0; top < tile.height && !stop.stop_requested(); top += kRows) {
+        const int rows = std::min(kRows, tile.height - top);
+        rays.clear();
+        for (int j = tile.y + top; j < tile.y + top + rows; ++j)
+          for (int i = tile.x; i < tile.x + tile.width; ++i)
+            rays.push_back(model.camera.primary_ray(region.x + i, region.y + j, options.size));
+        bytes.resize(rays.size());
+        front->pixels(rays, bytes);
+        for (std::size_t p = 0; p < bytes.size(); ++p) {
+          const auto width = static_cast<std::size_t>(tile.width);
+          const std::size_t row = static_cast<std::size_t>(tile.y + top) + p / width;
+          planes.set(row * static_cast<std::size_t>(region.width) +
+                         static_cast<std::size_t>(tile.x) + p % width,
+                     bytes[p]);
         }
+      }
     };
   };
   result.complete = for_each_tile(planes.size, options.threads, make_worker, progress, stop);
-  for (const auto& tracer : tracers) result.counts += tracer->counts();
+  for (const auto& front : fronts) result.counts += front->counts();
   result.planes = std::move(planes);
   result.trace_seconds = seconds_since(traced);
   result.processor_seconds = processor_seconds() - processor;

@@ -41,8 +41,8 @@ struct RenderResult {
   double prepare_seconds = 0;  ///< matrices, envelopes, hierarchy
   double trace_seconds = 0;
   double processor_seconds = 0;  ///< of tracing, all threads together
-  EffectSet effects;     ///< those that ran
-  bool complete = true;  ///< false: stopped before the end
+  EffectSet effects;             ///< those that ran
+  bool complete = true;          ///< false: stopped before the end
 };
 
 /// Renders; the planes are the same for any number of threads. `progress`, if

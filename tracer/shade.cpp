@@ -17,14 +17,16 @@ T highlight(const Hit<T>& hit, VectorCena<T> light) {
   return std::pow(cosine, hit.reflectance->exponent);
 }
 
-// The most that a light can bring: it falls in straight, there is no shadow, and
-// the highlight is at its brightest.
-template <typename T>
-Colour<T> most_of(const Reflectance<T>& k, const PointLight<T>& source) {
-  return source.intensity * (k.diffuse + k.specular);
-}
-
 }  // namespace
+
+template <typename T>
+Colour<T> sent_back(const EffectSet& effects, const Hit<T>& hit, const Incidence<T>& incidence) {
+  const Reflectance<T>& k = *hit.reflectance;
+  Colour<T> factor = k.diffuse * incidence.cosine;
+  if (effects.highlight && k.specular > 0)
+    factor += k.specular * highlight(hit, incidence.to_light * (1 / incidence.distance));
+  return factor;
+}
 
 template <typename T>
 Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& hit,
@@ -39,12 +41,11 @@ Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& 
     ledger->settle(Colour<T>(0), weight * sum);
   }
   for (const PointLight<T>& source : model.lights) {
-    const VectorCena<T> to_light = source.position - hit.point;
-    const T distance = length(to_light);
-    const T cosine = distance > 0 ? dot(hit.normal, to_light) / distance : T(0);
-    const bool lit = cosine > 0;
+    const Incidence<T> incidence(hit, source);
+    const bool lit = incidence.cosine > 0;
     const Colour<T> most = most_of(k, source);
-    const bool asked = effects.exhaustive ? distance > 0 : lit && (log || most != Colour<T>(0));
+    const bool asked =
+        effects.exhaustive ? incidence.distance > 0 : lit && (log || most != Colour<T>(0));
     Colour<T> arriving(0), came(0);
     if (asked) {
       arriving = source.intensity;
@@ -53,7 +54,7 @@ Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& 
           ++counts.spared;
           continue;
         }
-        arriving = light_reaching(model, classifier, hit, to_light, source);
+        arriving = light_reaching(model, classifier, hit, incidence.to_light, source);
         ++counts.shadow;
         if (arriving != source.intensity && arriving != Colour<T>(0)) ++counts.filtered;
         counts.spans += classifier.spans();
@@ -62,10 +63,7 @@ Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& 
     if (!lit) arriving = Colour<T>(0);
     if (log) log->push_back(glm::dvec3(arriving));
     if (lit && arriving != Colour<T>(0)) {
-      Colour<T> factor = k.diffuse * cosine;
-      if (effects.highlight && k.specular > 0)
-        factor += k.specular * highlight(hit, to_light * (1 / distance));
-      came = arriving * factor;
+      came = arriving * sent_back(effects, hit, incidence);
       sum += came;
     }
     if (ledger) ledger->settle(weight * most, weight * came);
@@ -80,5 +78,10 @@ template Colour<double> shade(const Model<double>&, Classifier<double>&, const H
 template Colour<long double> shade(const Model<long double>&, Classifier<long double>&,
                                    const Hit<long double>&, RayCounts&, std::vector<glm::dvec3>*,
                                    PixelLedger<long double>*, long double);
+
+template Colour<float> sent_back(const EffectSet&, const Hit<float>&, const Incidence<float>&);
+template Colour<double> sent_back(const EffectSet&, const Hit<double>&, const Incidence<double>&);
+template Colour<long double> sent_back(const EffectSet&, const Hit<long double>&,
+                                       const Incidence<long double>&);
 
 }  // namespace sir

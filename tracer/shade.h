@@ -10,6 +10,29 @@
 
 namespace sir {
 
+/// How a light's rays fall on a hit.
+template <typename T>
+struct Incidence {
+  VectorCena<T> to_light;  ///< light - point
+  T distance, cosine;      ///< of to_light; N.L, 0 at the light itself
+
+  Incidence(const Hit<T>& hit, const PointLight<T>& source)
+      : to_light(source.position - hit.point),
+        distance(length(to_light)),
+        cosine(distance > 0 ? dot(hit.normal, to_light) / distance : T(0)) {}
+};
+
+/// The most that a light can bring: it falls in straight, there is no shadow, and
+/// the highlight is at its brightest.
+template <typename T>
+Colour<T> most_of(const Reflectance<T>& k, const PointLight<T>& source) {
+  return source.intensity * (k.diffuse + k.specular);
+}
+
+/// Kd N.L + Ks max(0,N.H)^n where N.L > 0.
+template <typename T>
+Colour<T> sent_back(const EffectSet& effects, const Hit<T>& hit, const Incidence<T>& incidence);
+
 /// Ia Ka + sum over lights If [Kd max(0,N.L) + Ks max(0,N.H)^n], L, E, H and N
 /// unit, H = normalize(L+E). A light counts only where N.L > 0. Casts the
 /// shadow rays; `counts.shadow` is raised for each. `log`, if given, receives

@@ -113,36 +113,6 @@ std::array<double, 13> shape_of(const CsgNode& node) {
 
 enum class GateKind : std::uint8_t { any, all };
 
-// Finds the products: primitives that feed the root union, and gates of `all`
-// there, or at the root, that nothing but primitives feeds.
-template <typename T>
-void find_products(const std::vector<GateKind>& kind_of, Solid<T>& solid) {
-  std::vector<char> simple(solid.gates.size());
-  const auto in_root_union = [&](std::int32_t parent) {
-    if (parent < 0) return true;
-    const auto at = static_cast<std::size_t>(parent);
-    return kind_of[at] == GateKind::any && solid.gates[at].parent < 0;
-  };
-  for (std::size_t g = 0; g < simple.size(); ++g)
-    simple[g] = kind_of[g] == GateKind::all && in_root_union(solid.gates[g].parent);
-  for (const Gate& gate : solid.gates)
-    if (gate.parent >= 0) simple[static_cast<std::size_t>(gate.parent)] = false;
-  std::vector<std::int32_t> product_of(solid.gates.size(), -1);
-  for (Leaf<T>& leaf : solid.leaves) {
-    std::int32_t own = -1;
-    std::int32_t& product = leaf.gate >= 0 && simple[static_cast<std::size_t>(leaf.gate)]
-                                ? product_of[static_cast<std::size_t>(leaf.gate)]
-                                : own;
-    if (&product == &own && !in_root_union(leaf.gate)) continue;
-    if (product < 0) {
-      product = static_cast<std::int32_t>(solid.products.size());
-      solid.products.push_back({0, &product == &own});
-    }
-    leaf.product = product;
-    if (!leaf.complemented) ++solid.products[static_cast<std::size_t>(product)].positives;
-  }
-}
-
 // What a composite becomes, and whether its children are complemented.
 struct Rewritten {
   GateKind kind;
@@ -224,15 +194,16 @@ Solid<T> build_solid(const Scene& scene, Formulas formulas) {
       ++solid.gates[static_cast<std::size_t>(gate.parent)].at_rest;
   }
 
-  find_products(kind_of, solid);
-
   std::vector<Bounds<T>> boxes;
   boxes.reserve(solid.leaves.size());
   for (const Leaf<T>& leaf : solid.leaves) boxes.push_back(bounds_of(leaf.kind, leaf.placement));
   solid.hierarchy = Hierarchy<T>(boxes);
-  if (formulas == Formulas::textbook)
+  if (formulas == Formulas::textbook) {
     for (std::size_t leaf = 0; leaf < solid.leaves.size(); ++leaf)
       solid.textbook.emplace_back(solid.leaves[leaf].kind, solid.placements[leaf]);
+  } else {
+    solid.products = build_products<T>(solid, boxes);
+  }
   return solid;
 }
 

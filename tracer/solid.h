@@ -11,6 +11,7 @@
 #include "tracer/hierarchy.h"
 #include "tracer/intersect.h"
 #include "tracer/intersect_textbook.h"
+#include "tracer/products.h"
 #include "tracer/scene.h"
 
 namespace sir {
@@ -29,14 +30,13 @@ struct Leaf {
   T stretch = 1;                            ///< largest row sum of |CENA_LOCAL|: how far a step
                                             ///< of 1 in SC_CENA may reach in SC_LOCAL
   std::array<std::uint32_t, 6> surfaces{};  ///< index into Scene::surfaces, by face
-  T pace = 1;                 ///< a power of two: about the size of the primitive's smallest
-                              ///< extent, so that directions stay near 1 in SC_LOCAL
-  bool tame = false;          ///< no number of the way to SC_LOCAL is lost to underflow; else rays
-                              ///< are intersected exactly only
-  std::uint32_t shape = 0;    ///< the same for primitives of one kind and place
-  std::int64_t node = 0;      ///< the node's number in the file
-  std::int32_t gate = -1;     ///< the gate that it feeds; -1: it is the whole solid
-  std::int32_t product = -1;  ///< index into Solid::products; -1: deeper in the composition
+  T pace = 1;               ///< a power of two: about the size of the primitive's smallest
+                            ///< extent, so that directions stay near 1 in SC_LOCAL
+  bool tame = false;        ///< no number of the way to SC_LOCAL is lost to underflow; else rays
+                            ///< are intersected exactly only
+  std::uint32_t shape = 0;  ///< the same for primitives of one kind and place
+  std::int64_t node = 0;    ///< the node's number in the file
+  std::int32_t gate = -1;   ///< the gate that it feeds; -1: it is the whole solid
   PrimitiveKind kind = PrimitiveKind::cube;
   bool complemented = false;  ///< feeds "outside" instead of "inside"
 
@@ -73,13 +73,6 @@ struct Gate {
   std::int32_t at_rest = 0;  ///< true inputs where no primitive is
 };
 
-/// A part of a root union (or the whole) that is some primitives' intersection
-/// less some others, as A, or A - B - C: all that it takes to say where it is.
-struct Product {
-  std::uint32_t positives = 0;  ///< primitives that a point of it is inside of
-  bool alone = false;           ///< it is one primitive
-};
-
 /// One step of the composition in reverse Polish order: a leaf, or an operation
 /// on the two results before it. What the plain algorithm of Roth works on.
 struct PolishStep {
@@ -93,10 +86,10 @@ template <typename T>
 struct Solid {
   std::vector<Leaf<T>> leaves;
   std::vector<Gate> gates;
-  std::vector<Product> products;
   std::vector<PolishStep> polish;
   std::vector<Placement> placements;      ///< of each leaf, as in the file
   Hierarchy<T> hierarchy;                 ///< over the leaves' envelopes
+  Products<T> products;                   ///< none for the textbook's formulas
   std::vector<TextbookLeaf<T>> textbook;  ///< of each leaf, for rays to be traced by the textbook's
                                           ///< formulas; else none
 };

@@ -25,21 +25,31 @@ template <typename T>
 Colour<T> Tracer<T>::radiance(const RayCena<T>& primary, TraceLog* log) {
   log_ = log;
   ledger_.open(false);
-  return follow(primary);
+  ++counts_.primary;
+  return follow(primary, {}, T(0), T(1), 1);
 }
 
 template <typename T>
 Rgb8 Tracer<T>::pixel(const RayCena<T>& primary) {
   log_ = nullptr;
   ledger_.open(!model_.effects.exhaustive && bound_.bounded());
-  return to_rgb8(follow(primary));
+  ++counts_.primary;
+  return to_rgb8(follow(primary, {}, T(0), T(1), 1));
 }
 
 template <typename T>
-Colour<T> Tracer<T>::follow(const RayCena<T>& primary) {
+Colour<T> Tracer<T>::radiance_of(const RayCena<T>& ray, const RayStart<T>& start, T index,
+                                 T path_weight, int depth) {
+  log_ = nullptr;
+  ledger_.open(false);
+  return follow(ray, start, index, path_weight, depth);
+}
+
+template <typename T>
+Colour<T> Tracer<T>::follow(const RayCena<T>& ray, const RayStart<T>& start, T index, T path_weight,
+                            int depth) {
   stack_.clear();
-  ++counts_.primary;
-  if (!cast(primary, {}, T(0), T(1), 1, RayKind::primary, T(1), Colour<T>(0)))
+  if (!cast(ray, start, index, path_weight, depth, RayKind::primary, T(1), Colour<T>(0)))
     return model_.background;
   while (!stack_.empty()) advance();
   return result_;
@@ -51,10 +61,9 @@ Colour<T> Tracer<T>::follow(const RayCena<T>& primary) {
 template <typename T>
 bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T path_weight,
                      int depth, RayKind kind, T factor, const Colour<T>& most) {
-  classifier_.begin(ray, start);
-  counts_.spans += classifier_.spans();
   Boundary<T> boundary;
-  const bool met = classifier_.next(boundary);
+  const bool met = classifier_.first(ray, start, boundary);
+  counts_.spans += classifier_.spans();
   const std::size_t log_index = log_ ? log_ray(ray, path_weight, depth, kind, factor) : 0;
   if (!met) {
     if (log_) (*log_)[log_index].colour = glm::dvec3(model_.background);
@@ -66,13 +75,9 @@ bool Tracer<T>::cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T
   open.path_weight = path_weight;
   open.depth = depth;
   open.log_index = log_index;
-  // A ray that begins inside is in what it leaves; a face without an index says
-  // nothing of it, and its mirrored ray is as unknowing.
-  if (index == 0) index = boundary.entering ? T(1) : open.hit.reflectance->index;
-  open.index = index;
+  open.branching = branching_at(model_, open.hit, index);
   // The ledger expects what the secondary rays may bring, and in shade() the
   // lights, before it is asked whether all is decided.
-  prepare_secondary(open);
   ledger_.expect(most_of(open, Secondary::mirror) + most_of(open, Secondary::through));
   ledger_.settle(most, Colour<T>(0));
   open.colour = shade(model_, classifier_, open.hit, counts_,
@@ -110,27 +115,8 @@ void Tracer<T>::log_hit(const Open& open) {
   node.coefficients = to_double(*open.hit.reflectance);
   node.point = glm::dvec3(open.hit.point.v);
   node.normal = glm::dvec3(open.hit.normal.v);
-  node.total_reflection = open.total_reflection;
+  node.total_reflection = open.branching.total_reflection;
   node.local = glm::dvec3(open.colour);
-}
-
-template <typename T>
-void Tracer<T>::prepare_secondary(Open& open) const {
-  const Reflectance<T>& k = *open.hit.reflectance;
-  const EffectSet& effects = model_.effects;
-  open.mirror_weight = effects.reflection ? k.specular : T(0);
-  open.through_weight = effects.refraction ? k.transmission : T(0);
-  open.index_beyond = open.hit.boundary.entering && k.index > 0 ? k.index : T(1);
-  open.has_through = open.total_reflection = false;
-  if (!effects.refraction || !(open.through_weight > 0 || effects.exhaustive)) return;
-  const T index = open.index > 0 ? open.index : T(1);
-  open.has_through =
-      refracted(open.hit.incident, open.hit.normal, index, open.index_beyond, open.through);
-  if (!open.has_through) {  // the transmitted share joins the mirrored ray
-    open.total_reflection = open.through_weight > 0;
-    open.mirror_weight += open.through_weight;
-    open.through_weight = 0;
-  }
 }
 
 template <typename T>
@@ -142,7 +128,8 @@ bool Tracer<T>::wanted(const Open& open, T weight) const {
 // The most that the pixel may get from the mirrored or the refracted ray.
 template <typename T>
 Colour<T> Tracer<T>::most_of(const Open& open, Secondary which) const {
-  const T weight = which == Secondary::mirror ? open.mirror_weight : open.through_weight;
+  const T weight =
+      which == Secondary::mirror ? open.branching.mirror_weight : open.branching.through_weight;
   if (!(weight > 0)) return Colour<T>(0);
   if (open.depth >= options_.depth_limit) {
     if (options_.past_limit == PastLimit::zero) return Colour<T>(0);
@@ -164,10 +151,10 @@ void Tracer<T>::advance() {
     deliver(colour);
     return;
   }
-  const bool through_first = !log_ && open.through_weight > open.mirror_weight;
+  const bool through_first = !log_ && open.branching.through_weight > open.branching.mirror_weight;
   const bool mirror = (open.asked++ == 0) != through_first;
   open.turn = mirror ? Secondary::mirror : Secondary::through;
-  const T weight = mirror ? open.mirror_weight : open.through_weight;
+  const T weight = mirror ? open.branching.mirror_weight : open.branching.through_weight;
   const Colour<T> most = most_of(open, open.turn);
   if (open.depth >= options_.depth_limit) {
     if (options_.past_limit == PastLimit::background && weight > 0)
@@ -175,19 +162,20 @@ void Tracer<T>::advance() {
     ledger_.settle(most, most);
     return;
   }
-  const bool allowed = mirror ? model_.effects.reflection || weight > 0 : open.has_through;
+  const bool allowed =
+      mirror ? model_.effects.reflection || weight > 0 : open.branching.has_through;
   if (!allowed || !wanted(open, weight)) return;
   if (ledger_.decided()) {
     ++counts_.spared;
     return;
   }
   ++(mirror ? counts_.reflected : counts_.refracted);
-  const RayCena<T> ray{open.hit.point,
-                       mirror ? mirrored(open.hit.incident, open.hit.normal) : open.through};
+  const RayCena<T> ray{open.hit.point, mirror ? mirrored(open.hit.incident, open.hit.normal)
+                                              : open.branching.through};
   const bool met =
       cast(ray, mirror ? open.hit.leaving_on_eye_side() : open.hit.leaving_through(),
-           mirror ? open.index : open.index_beyond, open.path_weight * weight, open.depth + 1,
-           mirror ? RayKind::reflected : RayKind::refracted, weight, most);
+           mirror ? open.branching.index : open.branching.index_beyond, open.path_weight * weight,
+           open.depth + 1, mirror ? RayKind::reflected : RayKind::refracted, weight, most);
   // cast() may have moved the stack; where it opened nothing, the top is ours.
   if (!met) deliver(model_.background);
 }
@@ -201,7 +189,7 @@ void Tracer<T>::deliver(Colour<T> colour) {
   }
   Open& parent = stack_.back();
   const bool mirror = parent.turn == Secondary::mirror;
-  const T weight = mirror ? parent.mirror_weight : parent.through_weight;
+  const T weight = mirror ? parent.branching.mirror_weight : parent.branching.through_weight;
   if (weight > 0) (mirror ? parent.mirrored : parent.passed) = weight * colour;
 }
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tracer/hit.h"
+#include "tracer/branching.h"
 #include "tracer/pixel_ledger.h"
 #include "tracer/radiance_bound.h"
 #include "tracer/ray_counts.h"
@@ -25,6 +25,11 @@ class Tracer {
   /// any more (see PixelLedger), unless all effects' rays are asked for.
   Rgb8 pixel(const RayCena<T>& primary);
 
+  /// What a secondary ray sees that was cast at `depth` with this weight, in a
+  /// medium of this index (0: not known). No ray is spared.
+  Colour<T> radiance_of(const RayCena<T>& ray, const RayStart<T>& start, T index, T path_weight,
+                        int depth);
+
   RayCounts counts() const {
     RayCounts counts = counts_;
     counts.exact = classifier_.exact_intersections();
@@ -38,13 +43,10 @@ class Tracer {
   // first with these on a stack, so that its depth is bounded by memory only.
   struct Open {
     Hit<T> hit;
-    Colour<T> colour;                 // its own
-    Colour<T> mirrored, passed;       // what the secondary rays saw, times their weights
-    T mirror_weight, through_weight;  // ks (+ kt under total reflection), kt
-    VectorCena<T> through;            // refracted direction, if there is one
-    bool has_through, total_reflection;
-    T index, index_beyond;  // of the medium that the ray came in, and behind the surface
-    T path_weight;          // from the pixel to this ray
+    Branching<T> branching;
+    Colour<T> colour;            // its own
+    Colour<T> mirrored, passed;  // what the secondary rays saw, times their weights
+    T path_weight;               // from the pixel to this ray
     int depth;
     int asked;       // secondary rays that had their turn
     Secondary turn;  // the one whose turn it is, or was last
@@ -53,8 +55,8 @@ class Tracer {
 
   bool cast(const RayCena<T>& ray, const RayStart<T>& start, T index, T path_weight, int depth,
             RayKind kind, T factor, const Colour<T>& most);
-  Colour<T> follow(const RayCena<T>& primary);
-  void prepare_secondary(Open& open) const;
+  Colour<T> follow(const RayCena<T>& ray, const RayStart<T>& start, T index, T path_weight,
+                   int depth);
   Colour<T> most_of(const Open& open, Secondary which) const;
   void advance();
   bool wanted(const Open& open, T weight) const;

@@ -1,0 +1,96 @@
+#include "tracer/packets.h"
+
+#include "tracer/packet_blocked.h"
+
+namespace sir {
+namespace {
+
+template <typename T>
+inline constexpr bool kInPackets = !std::is_same_v<T, long double>;
+
+}  // namespace
+
+template <typename T>
+Packets<T>::Packets(const Solid<T>& solid, const PacketSolid<T>* laid_out, Engine engine)
+    : laid_out_(laid_out), classifier_(solid, engine) {}
+
+template <typename T>
+void Packets<T>::first(std::span<const StartedRay<T>> rays, T farthest, std::vector<char>& met,
+                       std::vector<Boundary<T>>& boundaries) {
+  met.resize(rays.size());
+  boundaries.resize(rays.size());
+  const auto ask = [&](std::size_t i) {
+    met[i] = classifier_.first(rays[i].ray, rays[i].start, boundaries[i], farthest);
+    spans_ += classifier_.spans();
+  };
+  std::size_t i = 0;
+  if constexpr (kInPackets<T>) {
+    while (laid_out_ && i < rays.size()) {
+      RayPacket<T> packet;
+      const std::size_t lanes = std::min(kPacketLanes, rays.size() - i);
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        packet.set(lane, rays[i + lane].ray, rays[i + lane].start, farthest);
+      const PacketFirst<T> found = first_boundaries(*laid_out_, packet);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        if (found.doubtful >> lane & 1u) {
+          ++doubtful_;
+          ask(i + lane);
+          continue;
+        }
+        met[i + lane] = found.hit >> lane & 1u;
+        boundaries[i + lane] = found.boundary[lane];
+      }
+      i += lanes;
+    }
+  }
+  for (; i < rays.size(); ++i) ask(i);
+}
+
+template <typename T>
+void Packets<T>::blocked(std::span<const StartedRay<T>> rays, T clearance,
+                         std::vector<char>& answer) {
+  answer.resize(rays.size());
+  const auto ask = [&](std::size_t i) {
+    answer[i] = classifier_.blocked(rays[i].ray, rays[i].start, clearance);
+    spans_ += classifier_.spans();
+  };
+  std::size_t i = 0;
+  if constexpr (kInPackets<T>) {
+    while (laid_out_ && i < rays.size()) {
+      RayPacket<T> packet;
+      const std::size_t lanes = std::min(kPacketLanes, rays.size() - i);
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        packet.set(lane, rays[i + lane].ray, rays[i + lane].start, T(1));
+      const PacketBlocked found = find_blocked(*laid_out_, packet, clearance);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        if (found.doubtful >> lane & 1u) {
+          ++doubtful_;
+          ask(i + lane);
+        } else {
+          answer[i + lane] = found.blocked >> lane & 1u;
+        }
+      }
+      i += lanes;
+    }
+  }
+  for (; i < rays.size(); ++i) ask(i);
+}
+
+template <typename T>
+std::shared_ptr<const PacketSolid<T>> lay_out(const Solid<T>& solid, Engine engine) {
+  if constexpr (kInPackets<T>) {
+    if (engine != Engine::gates || !solid.textbook.empty() || !solid.products.complete) return {};
+    return std::make_shared<PacketSolid<T>>(solid);
+  }
+  return {};
+}
+
+#define SIR_INSTANTIATE(T)   \
+  template class Packets<T>; \
+  template std::shared_ptr<const PacketSolid<T>> lay_out(const Solid<T>&, Engine);
+SIR_INSTANTIATE(float)
+SIR_INSTANTIATE(double)
+SIR_INSTANTIATE(long double)
+#undef SIR_INSTANTIATE
+
+}  // namespace sir
