@@ -45,14 +45,14 @@ bool Classifier<T>::blocked(const RayCena<T>& ray, const RayStart<T>& start, T c
                      chain_ * speed + roundings * (largest(ray.origin.v) + speed) < clearance;
   if (clear) {
     bool met = false;
-    solid_.hierarchy.for_each_met(BoxProbe<T>(ray), T(1), [&](std::uint32_t index) {
+    add_costs(solid_.hierarchy.for_each_met(BoxProbe<T>(ray), T(1), [&](std::uint32_t index) {
       const Leaf<T>& leaf = solid_.leaves[index];
       if (!gather(index) || leaf.product < 0) return false;
       const Product& product = solid_.products[static_cast<std::size_t>(leaf.product)];
       const auto last = static_cast<std::uint32_t>(spans_.size() - 1);
       met = product.alone && presence_of(product, last) == Presence::present;
       return met;
-    });
+    }));
     if (met) return true;
     const Presence found = presence();
     if (found != Presence::doubtful) return found == Presence::present;

@@ -12,6 +12,11 @@
 
 namespace sir {
 
+/// Boxes that a ray was tested against, and nodes whose box it met.
+struct HierarchyCosts {
+  std::uint64_t envelopes = 0, entered = 0;
+};
+
 template <typename T>
 class Hierarchy {
  public:
@@ -23,23 +28,29 @@ class Hierarchy {
 
   /// Calls visit(i) for each box i that the ray may meet at t in [0, farthest],
   /// in an order that depends on the hierarchy only, until a visit returns true.
+  /// Returns what it took.
   template <typename Visit>
-  void for_each_met(const BoxProbe<T>& probe, T farthest, Visit&& visit) const {
-    if (nodes_.empty()) return;
+  HierarchyCosts for_each_met(const BoxProbe<T>& probe, T farthest, Visit&& visit) const {
+    HierarchyCosts costs;
+    if (nodes_.empty()) return costs;
     std::array<std::uint32_t, kMaxDepth> open;
     std::size_t count = 0;
     open[count++] = 0;
     while (count > 0) {
       const Node& node = nodes_[open[--count]];
+      ++costs.envelopes;
       if (!probe.meets(node.bounds, farthest)) continue;
+      ++costs.entered;
       if (node.size == 0) {
         open[count++] = node.first + 1;
         open[count++] = node.first;
         continue;
       }
+      if (node.size > 1) costs.envelopes += node.size;
       for (std::uint32_t i = node.first; i < node.first + node.size; ++i)
-        if ((node.size == 1 || probe.meets(boxes_[i], farthest)) && visit(order_[i])) return;
+        if ((node.size == 1 || probe.meets(boxes_[i], farthest)) && visit(order_[i])) return costs;
     }
+    return costs;
   }
 
   /// The envelope of everything.
