@@ -79,7 +79,7 @@ TEST(CostCounts, TheyRecurForEveryRay) {
   EXPECT_EQ(rays.costs.transformations(), 20 * rays.primary + 19 * rays.shadow);
 }
 
-TEST(CostCounts, EveryCureLeavesLess) {
+TEST(CostCounts, EnvelopesLeaveLess) {
   for (const bool chain : {false, true}) {
     const Scene scene = bench::made_scene({.primitives = 300, .chain = chain});
     const auto of = [&](Engine engine) { return render(scene, primary_rays({50, 50}, engine)); };
@@ -89,11 +89,14 @@ TEST(CostCounts, EveryCureLeavesLess) {
     EXPECT_EQ(plain.planes, gates.planes);
     const CostCounts &a = plain.counts.costs, &b = envelopes.counts.costs, &c = gates.counts.costs;
     EXPECT_GT(a.calls, b.calls);
-    EXPECT_GT(b.calls, c.calls);
     EXPECT_GT(a.combinations, b.combinations);
     EXPECT_GT(b.combinations, c.combinations);
+    // A balanced tree, halved by place, is as good a hierarchy as any; a chain is none.
+    if (chain) {
+      EXPECT_GT(b.calls, 10 * c.calls);
+      EXPECT_GT(b.envelopes, 10 * c.envelopes);
+    }
     EXPECT_GT(a.intersection_tests(), 10 * b.intersection_tests());
-    EXPECT_GT(b.envelopes, c.envelopes);
     EXPECT_GT(c.envelopes, 0u);
   }
 }
