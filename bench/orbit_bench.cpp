@@ -51,15 +51,19 @@ void run(const char* name, const Scene& given, Precision precision, int frames) 
   const double prepare =
       milliseconds([&] { (void)Model<T>(scene, options.trace.possible_effects()); });
   std::vector<double> ms;
+  const double cpu_before = own_cpu_seconds();
   for (int frame = 0; frame < frames; ++frame) {
     model.camera = Camera<T>(orbited(scene.camera, 2 * std::numbers::pi * frame / frames));
     ms.push_back(milliseconds([&] { (void)render_model(model, options); }));
   }
+  const double cpu = (own_cpu_seconds() - cpu_before) / frames;
   double sum = 0;
   for (const double one : ms) sum += one;
   std::printf(
-      "%-6s %d frames: %6.2f a second, median %.1f ms a frame; made ready once in %.2f ms\n", name,
-      frames, 1e3 * frames / sum, median(ms), prepare);
+      "%-6s %d frames: %6.2f a second, median %.1f ms a frame, of the CPUs %.1f ms; made ready "
+      "once "
+      "in %.2f ms\n",
+      name, frames, 1e3 * frames / sum, median(ms), 1e3 * cpu, prepare);
 }
 
 void run_povray(const Scene& scene) {

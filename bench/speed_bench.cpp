@@ -77,6 +77,7 @@ bool duel_of_cuts(Arena arena, SpeedTable& table) {
     contest.name += " " + std::to_string(kSides[i]) + "x" + std::to_string(kSides[i]);
     contest.in_double = contest.in_float = {30, 60};
     same = run_contest(contest, arena, table) && same;
+    if (kSides[i] < 500) compare_pixels(contest, arena, table);
   }
   for (const int primitives : kSizes) {
     const MadeScene cut{.primitives = primitives, .cut = Cut::root};

@@ -119,6 +119,25 @@ bool run_contest(const Contest& contest, const Arena& arena, SpeedTable& table) 
   return true;
 }
 
+void compare_pixels(const Contest& contest, const Arena& arena, SpeedTable& table) {
+  if (!arena.povray) return;
+  Contest one = contest, small = contest, large = contest;
+  one.size = {1, 1};
+  large.size = {500, 500};
+  const auto pixels = [](const Contest& of) { return static_cast<double>(of.size.pixels() - 1); };
+  std::vector<double> ours, theirs;
+  for (int round = 0; round < arena.rounds; ++round) {
+    const double start = seconds_of(sir_words(one, arena, "double"));
+    const double pov_start = seconds_of(pov_words(one, false));
+    ours.push_back((seconds_of(sir_words(large, arena, "double")) - start) / pixels(large));
+    theirs.push_back((seconds_of(pov_words(small, false)) - pov_start) / pixels(small));
+  }
+  char detail[64];
+  std::snprintf(detail, sizeof detail, "a pixel: POV %.0f us / double %.2f us",
+                1e6 * Quartiles(theirs).middle, 1e6 * Quartiles(ours).middle);
+  table.line(contest.name, detail, Quartiles(ratios(theirs, ours)));
+}
+
 double peak_megabytes(const Scene& scene, ImageSize size, const Arena& arena) {
   write_scene(arena.folder / "ours", scene);
   Contest contest;

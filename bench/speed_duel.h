@@ -37,6 +37,11 @@ bool has_povray();
 /// Throws std::runtime_error where a program fails.
 bool run_contest(const Contest& contest, const Arena& arena, SpeedTable& table);
 
+/// What a pixel costs either program, start and parsing taken off, where POV-Ray is too slow
+/// for an image of the size that ours gets: its pixels are those of `contest`, ours those of
+/// 500x500. Without povray nothing is told.
+void compare_pixels(const Contest& contest, const Arena& arena, SpeedTable& table);
+
 /// The most memory that `sir render` took, in MB of 2^20 bytes.
 double peak_megabytes(const Scene& scene, ImageSize size, const Arena& arena);
 

@@ -105,16 +105,26 @@ void measure_threads(int rounds, SpeedTable& table) {
   table.begin("two threads: 500x500, shadows, wall time of tracing alone");
   for (const int primitives : {3'000, 30'000}) {
     const Model<double> model = model_of<double>({.primitives = primitives});
-    std::vector<double> one, two;
+    std::vector<double> one, two, cpu_one, cpu_two;
     RenderOptions options = frame_options();
+    const auto timed = [&](int threads, std::vector<double>& wall, std::vector<double>& cpu) {
+      options.threads = threads;
+      const double start = own_cpu_seconds();
+      wall.push_back(render_model(model, options).trace_seconds);
+      cpu.push_back(own_cpu_seconds() - start);
+    };
     for (int round = 0; round < rounds; ++round) {
-      options.threads = 1;
-      one.push_back(render_model(model, options).trace_seconds);
-      options.threads = 2;
-      two.push_back(render_model(model, options).trace_seconds);
+      timed(1, one, cpu_one);
+      timed(2, two, cpu_two);
     }
     table.line("two threads " + std::to_string(primitives), milliseconds("one", one, "two", two),
                Quartiles(ratios(one, two)), {1.7, 1.9});
+    table.line("", "CPU time of both over that of one", Quartiles(ratios(cpu_two, cpu_one)));
+    // Below 1 the machine had other work, and the wall time says little.
+    std::vector<double> share = ratios(cpu_one, one);
+    table.line("", "CPUs that one thread had", Quartiles(share));
+    share = ratios(cpu_two, two);
+    table.line("", "CPUs that two threads had", Quartiles(share));
   }
 }
 
