@@ -69,7 +69,7 @@ bool duel_of_cuts(Arena arena, SpeedTable& table) {
       "POV-Ray is given the tree as it is (cut-N): at 3,000 and 30,000 so slow that both "
       "render a small\nimage, where starting and parsing weigh on ours; and distributed "
       "over the solids by hand\n(cut-N by hand), at 500x500, while ours stays as it is.\n");
-  constexpr int kSides[] = {500, 50, 12};
+  constexpr int kSides[] = {500, 50, 8};
   bool same = true;
   for (std::size_t i = 0; i < std::size(kSizes); ++i) {
     const MadeScene cut{.primitives = kSizes[i], .cut = Cut::root};
@@ -125,6 +125,7 @@ int run(Settings settings) {
   }
   if (settings.wants("images")) {
     table.begin("the five images: 640x480, depth 5; POV-Ray's time / ours");
+    arena.rounds = std::min(arena.rounds, 3);
     same = duel_of_files({"whitted", "calice", "luminar", "piramide", "lcg"}, 5, {5, 10}, settings,
                          arena, table) &&
            same;
@@ -147,7 +148,8 @@ int main(int count, char** arguments) try {
                  "threads, separated by commas (all)")
       ->delimiter(',')
       ->check(CLI::IsMember(kParts));
-  app.add_option("--rounds", settings.rounds, "rounds (5; of the cuts 3 at most)")
+  app.add_option("--rounds", settings.rounds,
+                 "rounds (5; of the cuts and the five images 3 at most)")
       ->check(CLI::Range(1, 1000));
   app.add_option("--images", settings.images, "folder of the five images (images)");
   app.add_option("--sir", settings.sir, "the program (beside this one)");

@@ -125,6 +125,8 @@ void measure_threads(int rounds, SpeedTable& table) {
     table.line("", "CPUs that one thread had", Quartiles(share));
     share = ratios(cpu_two, two);
     table.line("", "CPUs that two threads had", Quartiles(share));
+    if (median(share) < 1.9)
+      std::printf("  The machine did not give two threads two CPUs: the wall times say nothing.\n");
   }
 }
 
