@@ -25,8 +25,7 @@ double own_cpu_seconds() {
   return seconds(used);
 }
 
-std::optional<double> child_cpu_seconds(const std::vector<std::string>& words,
-                                        const std::string& out) {
+std::optional<ChildUse> child_use(const std::vector<std::string>& words, const std::string& out) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -45,7 +44,14 @@ std::optional<double> child_cpu_seconds(const std::vector<std::string>& words,
   while (::wait4(process, &status, 0, &used) < 0)
     if (errno != EINTR) return {};
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {};
-  return seconds(used);
+  return ChildUse{seconds(used), used.ru_maxrss};
+}
+
+std::optional<double> child_cpu_seconds(const std::vector<std::string>& words,
+                                        const std::string& out) {
+  const auto used = child_use(words, out);
+  if (!used) return {};
+  return used->cpu_seconds;
 }
 
 }  // namespace sir::bench

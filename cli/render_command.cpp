@@ -18,6 +18,14 @@
 namespace sir::cli {
 namespace {
 
+nlohmann::ordered_json costs_json(const CostCounts& costs) {
+  return {{"calls", costs.calls},
+          {"combinations", costs.combinations},
+          {"transformations", costs.transformations()},
+          {"intersection_tests", costs.intersection_tests()},
+          {"envelopes", costs.envelopes}};
+}
+
 nlohmann::ordered_json stats_json(const RenderCommand& command, const Scene& scene,
                                   const RenderResult& result) {
   nlohmann::ordered_json effects = nlohmann::ordered_json::object();
@@ -43,6 +51,7 @@ nlohmann::ordered_json stats_json(const RenderCommand& command, const Scene& sce
         {"spared", rays.spared}}},
       {"spans", rays.spans},
       {"exact_intersections", rays.exact},
+      {"costs", costs_json(rays.costs)},
       {"effects", effects},
       {"ms", {{"prepare", result.prepare_seconds * 1e3}, {"trace", result.trace_seconds * 1e3}}}};
 }

@@ -15,8 +15,10 @@ void add_precision(CLI::App* app, Precision& precision) {
 }
 
 void add_engine(CLI::App* app, Engine& engine) {
-  add_choice(app, "--engine", engine, {{"gates", Engine::gates}, {"roth", Engine::roth}},
-             "how boundaries are found: fast, or by the thesis's plain algorithm (gates)");
+  add_choice(app, "--engine", engine,
+             {{"gates", Engine::gates}, {"roth", Engine::roth}, {"envelopes", Engine::envelopes}},
+             "how boundaries are found: fast, by the thesis's plain algorithm, or by that with an "
+             "envelope at each node (gates)");
 }
 
 void add_formulas(CLI::App* app, Formulas& formulas) {

@@ -154,6 +154,16 @@ TEST_F(CliTest, StatsAreJson) {
   const Ended wide = sir({"render", "s", "--size", "8x6", "--stats", "--precision", "long-double"});
   EXPECT_EQ(json::parse(wide.out)["precision"], "long-double");
   EXPECT_EQ(stats["primitives"], 2);
+  EXPECT_GT(stats["costs"]["envelopes"], 0);
+  // Thesis 2.5: one composite, two primitives; a shadow ray leaves one of them.
+  const Ended roth = sir({"render", "s", "--size", "8x6", "--stats", "--engine", "roth", "--depth",
+                          "1", "--effects", "highlight"});
+  ASSERT_EQ(roth.exit_code, 0) << roth.err;
+  const json costs = json::parse(roth.out)["costs"];
+  EXPECT_EQ(costs["calls"], 48 * 3);
+  EXPECT_EQ(costs["combinations"], 48);
+  EXPECT_EQ(costs["transformations"], 48 * 2);
+  EXPECT_EQ(costs["envelopes"], 0);
   EXPECT_TRUE(stats["effects"]["reflection"].get<bool>());
 }
 

@@ -28,17 +28,22 @@ Classifier<T>::Classifier(const Solid<T>& solid, Engine engine, Fusing fusing)
       switched_(solid.gates.size(), 0) {
   inputs_.reserve(solid.gates.size());
   for (const Gate& gate : solid.gates) inputs_.push_back(gate.at_rest);
+  if (engine == Engine::envelopes) envelope_tree_ = std::make_unique<const EnvelopeTree<T>>(solid);
 }
 
 // Makes ready for a ray; false where there is none.
 template <typename T>
 bool Classifier<T>::set_out(const RayCena<T>& ray, const RayStart<T>& start) {
   // A sweep that was left half-way is undone: outside everything again.
+  // That is no cost of the next ray's, and of none where a thread has no next.
+  const std::uint64_t combinations = costs_.combinations;
   for (Crossed& crossed : spans_)
     if (crossed.inside) toggle(crossed);
+  costs_.combinations = combinations;
   inside_ = false;
   spans_.clear();
   events_.clear();
+  combined_.clear();
   next_event_ = 0;
   ++ray_number_;
   ray_ = ray;
@@ -54,16 +59,17 @@ bool Classifier<T>::set_out(const RayCena<T>& ray, const RayStart<T>& start) {
 template <typename T>
 void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T farthest) {
   if (!set_out(ray, start)) return;
-  if (engine_ == Engine::roth) {
-    for (std::uint32_t leaf = 0; leaf < solid_.leaves.size(); ++leaf) gather(leaf);
-  } else {
-    solid_.hierarchy.for_each_met(BoxProbe<T>(ray), farthest, [&](std::uint32_t leaf) {
-      gather(leaf);
-      return false;
-    });
+  if (engine_ != Engine::gates) {
+    gather_in_order(ray, farthest);
+    settle();
+    combine_all();
+    return;
   }
+  add_costs(solid_.hierarchy.for_each_met(BoxProbe<T>(ray), farthest, [&](std::uint32_t leaf) {
+    gather(leaf);
+    return false;
+  }));
   settle();
-  if (engine_ == Engine::roth) combine_all();
 }
 
 template <typename T>
@@ -90,9 +96,13 @@ bool Classifier<T>::gather_by_textbook(std::uint32_t index) {
 // True where the primitive is met.
 template <typename T>
 bool Classifier<T>::gather(std::uint32_t index) {
-  if (!solid_.textbook.empty()) return gather_by_textbook(index);
   const Leaf<T>& leaf = solid_.leaves[index];
+  if (!solid_.textbook.empty()) {
+    ++costs_.primitives[static_cast<std::size_t>(leaf.kind)];
+    return gather_by_textbook(index);
+  }
   if (stands_on(leaf) && !start_.inward) return false;  // convex: never met again
+  ++costs_.primitives[static_cast<std::size_t>(leaf.kind)];
   Span<T> span;
   const T pace = pace_ * leaf.pace;
   const bool tame = tame_ && leaf.tame && std::isnormal(pace);
@@ -271,6 +281,7 @@ bool Classifier<T>::toggle(Crossed& crossed) {
     const auto at = static_cast<std::size_t>(g);
     const Gate& gate = solid_.gates[at];
     const bool before = inputs_[at] >= gate.needed;
+    ++costs_.combinations;
     inputs_[at] += step;
     if (before == (inputs_[at] >= gate.needed)) return false;
     switched_[at] = stamp_[at] == cluster_ ? static_cast<std::uint8_t>(switched_[at] ^ 1) : 1;
@@ -308,7 +319,7 @@ Boundary<T> Classifier<T>::boundary_of(const Event& event, bool entering) const 
 
 template <typename T>
 bool Classifier<T>::next(Boundary<T>& boundary) {
-  if (engine_ == Engine::roth) {
+  if (engine_ != Engine::gates) {
     if (next_event_ >= combined_.size()) return false;
     boundary = combined_[next_event_++];
     return true;

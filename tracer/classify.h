@@ -3,8 +3,11 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
+#include "tracer/cost_counts.h"
+#include "tracer/envelope_tree.h"
 #include "tracer/solid.h"
 
 namespace sir {
@@ -31,10 +34,13 @@ struct RayStart {
   T error = 0;                    ///< how far rounding may have moved the origin, in SC_CENA
 };
 
-/// How boundaries are found; both give the same list.
+/// How boundaries are found. `gates` and `roth` give the same list; so does
+/// `envelopes`, but where a primitive that it passed by lies within the errors of a
+/// boundary: that one may then differ in the last digits of t.
 enum class Engine : std::uint8_t {
-  gates,  ///< hierarchy of envelopes, one sweep along the ray over flattened gates
-  roth    ///< the thesis's: every primitive, then table 2.4 at every composite
+  gates,     ///< hierarchy of envelopes, one sweep along the ray over flattened gates
+  roth,      ///< the thesis's: every primitive, then table 2.4 at every composite
+  envelopes  ///< the same with an envelope at each node of the composition (2.5.2)
 };
 
 /// How boundaries that are all but one are treated. Another than the usual way
@@ -99,6 +105,13 @@ class Classifier {
   /// How many primitives had to be intersected exactly, since the beginning.
   std::uint64_t exact_intersections() const { return exact_intersections_; }
 
+  /// What all rays have cost since the beginning.
+  CostCounts costs() const {
+    CostCounts costs = costs_;
+    costs.calls += engine_ == Engine::gates ? costs.transformations() : 0;
+    return costs;
+  }
+
  private:
   struct Crossed {
     Span<T> span;   // with more digits, where the order depended on them
@@ -117,6 +130,10 @@ class Classifier {
   /// Whether the ray starts on this primitive, or on another in the same place.
   bool stands_on(const Leaf<T>& leaf) const {
     return secondary_ && leaf.shape == solid_.leaves[start_.leaf].shape;
+  }
+  void add_costs(const HierarchyCosts& costs) {
+    costs_.envelopes += costs.envelopes;
+    costs_.calls += costs.entered;
   }
   bool set_out(const RayCena<T>& ray, const RayStart<T>& start);
   void set_pace(T speed);
@@ -166,6 +183,7 @@ class Classifier {
   bool pass_cluster(std::size_t end, Boundary<T>& boundary);
   bool changed_with_solid(const Event& event, T cluster_start) const;
   bool precedes(const Boundary<T>& a, const Boundary<T>& b) const;
+  void gather_in_order(const RayCena<T>& ray, T farthest);
   void combine_all();
   bool same_event(const Event& a, const Event& b) const {
     return fusing_.within_ulps ? Numeric<T>::same_event(a.t, b.t) : a.t == b.t;
@@ -202,7 +220,11 @@ class Classifier {
   std::vector<std::uint64_t> stamp_;    // last cluster in which a gate switched
   std::vector<std::uint8_t> switched_;  // an odd number of times in that cluster
   std::uint64_t cluster_ = 0;
-  std::vector<Boundary<T>> combined_;  // Engine::roth: the finished list
+  // Engine::roth and Engine::envelopes:
+  std::vector<Boundary<T>> combined_;  // the finished list
+  std::vector<Visit> visits_;          // the nodes that the ray comes to
+  std::unique_ptr<const EnvelopeTree<T>> envelope_tree_;
+  CostCounts costs_;
 };
 
 }  // namespace sir

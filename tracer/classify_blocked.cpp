@@ -44,14 +44,14 @@ bool Classifier<T>::blocked(const RayCena<T>& ray, const RayStart<T>& start, T c
                      chain_ * speed + roundings * (largest(ray.origin.v) + speed) < clearance;
   if (clear) {
     Presence found = Presence::absent;
-    solid_.products.hierarchy.for_each_met_in_order(
+    add_costs(solid_.products.hierarchy.for_each_met_in_order(
         BoxProbe<T>(ray), T(1), [&](std::uint32_t index, T farthest) {
           const Presence one = presence_of(solid_.products.list[index]);
           if (one == Presence::doubtful) found = one;
           if (one != Presence::present) return farthest;
           found = one;
           return T(-1);
-        });
+        }));
     if (found != Presence::doubtful) return found == Presence::present;
   }
   begin(ray, start, T(1));

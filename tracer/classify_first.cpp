@@ -24,7 +24,7 @@ bool Classifier<T>::first(const RayCena<T>& ray, const RayStart<T>& start, Bound
 template <typename T>
 typename Classifier<T>::Presence Classifier<T>::first_surely(T farthest, Boundary<T>& boundary) {
   Nearest nearest;
-  solid_.products.hierarchy.for_each_met_in_order(
+  add_costs(solid_.products.hierarchy.for_each_met_in_order(
       BoxProbe<T>(ray_), farthest, [&](std::uint32_t index, T limit) {
         const Change change = change_of(solid_.products.list[index], limit);
         if (change.certainty == Presence::absent) return limit;
@@ -32,7 +32,7 @@ typename Classifier<T>::Presence Classifier<T>::first_surely(T farthest, Boundar
         if (!(nearest.doubtful_from > 0)) return T(-1);  // nothing will be clear any more
         if (nearest.change.certainty != Presence::present) return limit;
         return std::min(limit, nearest.change.event.t + 2 * reach(nearest.change.event));
-      });
+      }));
   const Event& event = nearest.change.event;
   if (nearest.change.certainty != Presence::present)
     return nearest.doubtful_from < std::numeric_limits<T>::infinity() ? Presence::doubtful

@@ -14,6 +14,11 @@
 
 namespace sir {
 
+/// Boxes that a ray was tested against, and nodes whose box it met.
+struct HierarchyCosts {
+  std::uint64_t envelopes = 0, entered = 0;
+};
+
 template <typename T>
 class Hierarchy {
  public:
@@ -34,31 +39,41 @@ class Hierarchy {
 
   /// Calls visit(i) for each box i that the ray may meet at t in [0, farthest],
   /// in an order that depends on the hierarchy only, until a visit returns true.
+  /// Returns what it took.
   template <typename Visit>
-  void for_each_met(const BoxProbe<T>& probe, T farthest, Visit&& visit) const {
-    if (nodes_.empty()) return;
+  HierarchyCosts for_each_met(const BoxProbe<T>& probe, T farthest, Visit&& visit) const {
+    HierarchyCosts costs;
+    if (nodes_.empty()) return costs;
     std::array<std::uint32_t, kMaxDepth> open;
     std::size_t count = 0;
     open[count++] = 0;
     while (count > 0) {
       const Node& node = nodes_[open[--count]];
+      ++costs.envelopes;
       if (!probe.meets(node.bounds, farthest)) continue;
+      ++costs.entered;
       if (node.size == 0) {
         open[count++] = node.first + 1;
         open[count++] = node.first;
         continue;
       }
+      if (node.size > 1) costs.envelopes += node.size;
       for (std::uint32_t i = node.first; i < node.first + node.size; ++i)
-        if ((node.size == 1 || probe.meets(boxes_[i], farthest)) && visit(order_[i])) return;
+        if ((node.size == 1 || probe.meets(boxes_[i], farthest)) && visit(order_[i])) return costs;
     }
+    return costs;
   }
 
   /// The same, the nearer of two children first. `visit(i, farthest)` returns the
   /// new `farthest`, no larger than the one given: nothing that the ray meets
   /// beyond it only is visited any more, and nothing at all where it is negative.
+  /// Returns what it took.
   template <typename Visit>
-  void for_each_met_in_order(const BoxProbe<T>& probe, T farthest, Visit&& visit) const {
-    if (nodes_.empty() || !(probe.entry(nodes_[0].bounds, farthest) <= farthest)) return;
+  HierarchyCosts for_each_met_in_order(const BoxProbe<T>& probe, T farthest, Visit&& visit) const {
+    HierarchyCosts costs;
+    if (nodes_.empty()) return costs;
+    ++costs.envelopes;
+    if (!(probe.entry(nodes_[0].bounds, farthest) <= farthest)) return costs;
     struct Open {
       std::uint32_t node;
       T entry;
@@ -68,10 +83,12 @@ class Hierarchy {
     std::uint32_t at = 0;
     for (;;) {
       const Node& node = nodes_[at];
+      ++costs.entered;
       if (node.size == 0) {
         std::uint32_t near = node.first, far = node.first + 1;
         T near_entry = probe.entry(nodes_[near].bounds, farthest);
         T far_entry = probe.entry(nodes_[far].bounds, farthest);
+        costs.envelopes += 2;
         if (far_entry < near_entry) {
           std::swap(near, far);
           std::swap(near_entry, far_entry);
@@ -82,12 +99,13 @@ class Hierarchy {
           continue;
         }
       } else {
+        if (node.size > 1) costs.envelopes += node.size;
         for (std::uint32_t i = node.first; i < node.first + node.size; ++i)
           if (node.size == 1 || probe.entry(boxes_[i], farthest) <= farthest)
             farthest = visit(order_[i], farthest);
       }
       do {
-        if (count == 0) return;
+        if (count == 0) return costs;
         at = open[--count].node;
       } while (!(open[count].entry <= farthest));
     }

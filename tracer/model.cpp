@@ -4,6 +4,7 @@ namespace sir {
 template <typename T>
 Model<T>::Model(const Scene& scene, const EffectSet& allowed, Formulas formulas)
     : solid(build_solid<T>(scene, formulas)),
+      laid_out(lay_out(solid)),
       camera(scene.camera),
       background(scene.lighting.background),
       ambient(scene.lighting.ambient),

@@ -2,11 +2,13 @@
 // thesis 3.3).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "tracer/camera.h"
 #include "tracer/colour.h"
 #include "tracer/effect_set.h"
+#include "tracer/packet_solid.h"
 #include "tracer/solid.h"
 #include "tracer/texture.h"
 
@@ -23,6 +25,7 @@ struct PointLight {
 template <typename T>
 struct Model {
   Solid<T> solid;
+  std::shared_ptr<const PacketSolid<T>> laid_out;  ///< the solid for packets, or null
   Camera<T> camera;
   std::vector<Texture<T>> textures;  ///< index as in Scene::surfaces
   std::vector<PointLight<T>> lights;

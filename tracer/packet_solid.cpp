@@ -75,9 +75,20 @@ PacketSolid<T>::PacketSolid(const Solid<T>& solid)
   }
 }
 
+template <typename T>
+std::shared_ptr<const PacketSolid<T>> lay_out(const Solid<T>& solid) {
+  if constexpr (!std::is_same_v<T, long double>)
+    if (solid.textbook.empty() && solid.products.complete)
+      return std::make_shared<PacketSolid<T>>(solid);
+  return {};
+}
+
 template struct PacketLeaf<float>;
 template struct PacketLeaf<double>;
 template struct PacketSolid<float>;
 template struct PacketSolid<double>;
+template std::shared_ptr<const PacketSolid<float>> lay_out(const Solid<float>&);
+template std::shared_ptr<const PacketSolid<double>> lay_out(const Solid<double>&);
+template std::shared_ptr<const PacketSolid<long double>> lay_out(const Solid<long double>&);
 
 }  // namespace sir

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "tracer/solid.h"
@@ -61,5 +62,10 @@ struct PacketSolid {
   T chain = 0;  ///< boundaries that are one event reach no further, relative to t
   T gap = 0;    ///< nor may that be further than this, in SC_CENA (Products::gap)
 };
+
+/// The solid laid out for packets; null where they cannot serve it: it is not a
+/// union of products, was built for Formulas::textbook, or T is long double.
+template <typename T>
+std::shared_ptr<const PacketSolid<T>> lay_out(const Solid<T>& solid);
 
 }  // namespace sir

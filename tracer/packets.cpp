@@ -12,7 +12,7 @@ inline constexpr bool kInPackets = !std::is_same_v<T, long double>;
 
 template <typename T>
 Packets<T>::Packets(const Solid<T>& solid, const PacketSolid<T>* laid_out, Engine engine)
-    : laid_out_(laid_out), classifier_(solid, engine) {}
+    : laid_out_(engine == Engine::gates ? laid_out : nullptr), classifier_(solid, engine) {}
 
 template <typename T>
 void Packets<T>::first(std::span<const StartedRay<T>> rays, T farthest, std::vector<char>& met,
@@ -76,21 +76,8 @@ void Packets<T>::blocked(std::span<const StartedRay<T>> rays, T clearance,
   for (; i < rays.size(); ++i) ask(i);
 }
 
-template <typename T>
-std::shared_ptr<const PacketSolid<T>> lay_out(const Solid<T>& solid, Engine engine) {
-  if constexpr (kInPackets<T>) {
-    if (engine != Engine::gates || !solid.textbook.empty() || !solid.products.complete) return {};
-    return std::make_shared<PacketSolid<T>>(solid);
-  }
-  return {};
-}
-
-#define SIR_INSTANTIATE(T)   \
-  template class Packets<T>; \
-  template std::shared_ptr<const PacketSolid<T>> lay_out(const Solid<T>&, Engine);
-SIR_INSTANTIATE(float)
-SIR_INSTANTIATE(double)
-SIR_INSTANTIATE(long double)
-#undef SIR_INSTANTIATE
+template class Packets<float>;
+template class Packets<double>;
+template class Packets<long double>;
 
 }  // namespace sir

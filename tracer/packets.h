@@ -2,7 +2,6 @@
 // RAY-TRACING, thesis 2.3.6).
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,7 +22,8 @@ struct StartedRay {
 template <typename T>
 class Packets {
  public:
-  /// `laid_out` may be null; else it belongs to `solid`.
+  /// `laid_out` may be null; else it belongs to `solid`. Packets do the work of
+  /// Engine::gates only.
   Packets(const Solid<T>& solid, const PacketSolid<T>* laid_out, Engine engine);
 
   /// Classifier::first() of each ray: met[i] and boundaries[i].
@@ -47,9 +47,5 @@ class Packets {
   Classifier<T> classifier_;
   std::uint64_t spans_ = 0, doubtful_ = 0;
 };
-
-/// The solid laid out for packets; null where they cannot serve.
-template <typename T>
-std::shared_ptr<const PacketSolid<T>> lay_out(const Solid<T>& solid, Engine engine);
 
 }  // namespace sir

@@ -3,15 +3,18 @@
 
 #include <cstdint>
 
+#include "tracer/cost_counts.h"
+
 namespace sir {
 
 /// Rays cast, by kind, and intersections found.
 struct RayCounts {
   std::uint64_t primary = 0, reflected = 0, refracted = 0, shadow = 0;
   std::uint64_t filtered = 0;  ///< of the shadow rays, those that something dimmed
-  std::uint64_t spared = 0;  ///< rays not cast, since they could not change a byte any more
-  std::uint64_t spans = 0;   ///< primitives that those rays went through
-  std::uint64_t exact = 0;   ///< intersections that needed more digits than T has
+  std::uint64_t spared = 0;    ///< rays not cast, since they could not change a byte any more
+  std::uint64_t spans = 0;     ///< primitives that those rays went through
+  std::uint64_t exact = 0;     ///< intersections that needed more digits than T has
+  CostCounts costs;            ///< of all those rays together
 
   RayCounts& operator+=(const RayCounts& other) {
     primary += other.primary;
@@ -22,6 +25,7 @@ struct RayCounts {
     spared += other.spared;
     spans += other.spans;
     exact += other.exact;
+    costs += other.costs;
     return *this;
   }
 };

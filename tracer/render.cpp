@@ -21,20 +21,39 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 template <typename T>
 RenderResult render_in(const Scene& scene, const RenderOptions& options,
                        const std::function<void(double)>& progress, const std::stop_token& stop) {
-  const Region region = region_or_all(options.region, options.size);
-  RenderResult result;
+  region_or_all(options.region, options.size);  // refused before any work
   const auto start = std::chrono::steady_clock::now();
   const Model<T> model(scene, options.trace.possible_effects(), options.trace.formulas);
-  const auto laid_out = lay_out(model.solid, options.trace.engine);
-  result.effects = model.effects;
-  result.prepare_seconds = seconds_since(start);
+  const double prepare_seconds = seconds_since(start);
+  RenderResult result = render_model(model, options, progress, stop);
+  result.prepare_seconds = prepare_seconds;
+  return result;
+}
 
+template <typename T>
+PixelTrace trace_pixel_in(const Scene& scene, const RenderOptions& options, int i, int j) {
+  const Model<T> model(scene, options.trace.possible_effects(), options.trace.formulas);
+  Tracer<T> tracer(model, options.trace);
+  PixelTrace result;
+  result.pixel =
+      to_rgb8(tracer.radiance(model.camera.primary_ray(i, j, options.size), &result.log));
+  return result;
+}
+
+}  // namespace
+
+template <typename T>
+RenderResult render_model(const Model<T>& model, const RenderOptions& options,
+                          const std::function<void(double)>& progress, std::stop_token stop) {
+  const Region region = region_or_all(options.region, options.size);
+  RenderResult result;
+  result.effects = model.effects;
   const auto traced = std::chrono::steady_clock::now();
   const double processor = processor_seconds();
   Planes planes(ImageSize{region.width, region.height});
   std::vector<std::shared_ptr<Wavefront<T>>> fronts;
   const auto make_worker = [&]() -> TileWorker {
-    fronts.push_back(std::make_shared<Wavefront<T>>(model, laid_out.get(), options.trace));
+    fronts.push_back(std::make_shared<Wavefront<T>>(model, options.trace));
     return [&, front = fronts.back(), rays = std::vector<RayCena<T>>(),
             bytes = std::vector<Rgb8>()](const Region& tile) mutable {
       // A few rows at a time: enough rays to go together, and soon to be stopped.
@@ -65,17 +84,12 @@ RenderResult render_in(const Scene& scene, const RenderOptions& options,
   return result;
 }
 
-template <typename T>
-PixelTrace trace_pixel_in(const Scene& scene, const RenderOptions& options, int i, int j) {
-  const Model<T> model(scene, options.trace.possible_effects(), options.trace.formulas);
-  Tracer<T> tracer(model, options.trace);
-  PixelTrace result;
-  result.pixel =
-      to_rgb8(tracer.radiance(model.camera.primary_ray(i, j, options.size), &result.log));
-  return result;
-}
-
-}  // namespace
+template RenderResult render_model(const Model<float>&, const RenderOptions&,
+                                   const std::function<void(double)>&, std::stop_token);
+template RenderResult render_model(const Model<double>&, const RenderOptions&,
+                                   const std::function<void(double)>&, std::stop_token);
+template RenderResult render_model(const Model<long double>&, const RenderOptions&,
+                                   const std::function<void(double)>&, std::stop_token);
 
 Region region_or_all(const Region& region, ImageSize size) {
   if (region.width == 0 && region.height == 0) return {0, 0, size.width, size.height};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tracer/antialias.h"
+#include "tracer/model.h"
 #include "tracer/ray_counts.h"
 #include "tracer/tiles.h"
 #include "tracer/trace_log.h"
@@ -52,6 +53,15 @@ struct RenderResult {
 /// of antialiasing out of their ranges.
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::function<void(double)>& progress = {}, std::stop_token stop = {});
+
+/// The same for a scene that has been made ready, as for many frames of which only
+/// the camera differs: one ray through each pixel's centre. Of the options the
+/// precision, the formulas, the effects and antialiasing are not looked at; the
+/// model was made for them. `prepare_seconds` is 0.
+template <typename T>
+RenderResult render_model(const Model<T>& model, const RenderOptions& options,
+                          const std::function<void(double)>& progress = {},
+                          std::stop_token stop = {});
 
 /// The tree behind the pixel in column i and row j, and its bytes.
 struct PixelTrace {

@@ -33,6 +33,7 @@ class Tracer {
   RayCounts counts() const {
     RayCounts counts = counts_;
     counts.exact = classifier_.exact_intersections();
+    counts.costs = classifier_.costs();
     return counts;
   }
 

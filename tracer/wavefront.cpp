@@ -7,11 +7,10 @@
 namespace sir {
 
 template <typename T>
-Wavefront<T>::Wavefront(const Model<T>& model, const PacketSolid<T>* laid_out,
-                        const TraceOptions& options)
+Wavefront<T>::Wavefront(const Model<T>& model, const TraceOptions& options)
     : model_(model),
       options_(options),
-      packets_(model.solid, laid_out, options.engine),
+      packets_(model.solid, model.laid_out.get(), options.engine),
       deep_(model, options),
       bound_(model, options) {}
 
@@ -20,6 +19,7 @@ RayCounts Wavefront<T>::counts() const {
   RayCounts counts = counts_;
   counts.exact = packets_.classifier().exact_intersections();
   counts.spans += packets_.spans();
+  counts.costs = packets_.classifier().costs();
   counts += deep_.counts();
   return counts;
 }

@@ -16,8 +16,7 @@ namespace sir {
 template <typename T>
 class Wavefront {
  public:
-  /// `laid_out`: the model's solid for packets, or null (see lay_out()).
-  Wavefront(const Model<T>& model, const PacketSolid<T>* laid_out, const TraceOptions& options);
+  Wavefront(const Model<T>& model, const TraceOptions& options);
 
   /// The bytes of primary rays, as many as there are places in `bytes`.
   void pixels(std::span<const RayCena<T>> primary, std::span<Rgb8> bytes);

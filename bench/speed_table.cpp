@@ -1,0 +1,49 @@
+#include "bench/speed_table.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace sir::bench {
+
+Quartiles::Quartiles(std::vector<double> values) {
+  if (values.empty()) return;
+  std::sort(values.begin(), values.end());
+  low = values[values.size() / 4];
+  middle = values[values.size() / 2];
+  high = values[values.size() * 3 / 4];
+}
+
+std::vector<double> ratios(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> quotients;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) quotients.push_back(a[i] / b[i]);
+  return quotients;
+}
+
+void SpeedTable::begin(const std::string& title) {
+  std::printf("\n%s\n%-26s %-38s %9s  %-19s %7s %7s\n", title.c_str(), "", "", "median",
+              "quartiles", "must", "aim");
+}
+
+void SpeedTable::line(const std::string& what, const std::string& detail, const Quartiles& figure,
+                      Demand demand) {
+  char range[32];
+  std::snprintf(range, sizeof range, "%.3g..%.3g", figure.low, figure.high);
+  std::printf("%-26s %-38s %9.4g  %-19s", what.c_str(), detail.c_str(), figure.middle, range);
+  if (demand.must > 0) {
+    const auto met = [&](double bound) {
+      return demand.at_most ? figure.middle <= bound : figure.middle >= bound;
+    };
+    std::printf(" %7.4g", demand.must);
+    if (demand.aim > 0) std::printf(" %7.4g", demand.aim);
+    else std::printf(" %7s", "");
+    std::printf("  %s", !met(demand.must)                    ? "MISSED"
+                        : demand.aim > 0 && !met(demand.aim) ? "met"
+                        : demand.aim > 0                     ? "aim met"
+                                                             : "met");
+    missed_ += !met(demand.must);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+}  // namespace sir::bench
