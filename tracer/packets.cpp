@@ -1,83 +1,39 @@
 #include "tracer/packets.h"
 
+#include <bit>
+
 #include "tracer/packet_blocked.h"
 
 namespace sir {
-namespace {
 
 template <typename T>
-inline constexpr bool kInPackets = !std::is_same_v<T, long double>;
-
-}  // namespace
-
-template <typename T>
-Packets<T>::Packets(const Solid<T>& solid, const PacketSolid<T>* laid_out, Engine engine)
-    : laid_out_(engine == Engine::gates ? laid_out : nullptr), classifier_(solid, engine) {}
-
-template <typename T>
-void Packets<T>::first(std::span<const StartedRay<T>> rays, T farthest, std::vector<char>& met,
-                       std::vector<Boundary<T>>& boundaries) {
-  met.resize(rays.size());
-  boundaries.resize(rays.size());
-  const auto ask = [&](std::size_t i) {
-    met[i] = classifier_.first(rays[i].ray, rays[i].start, boundaries[i], farthest);
+PacketFirst<T> Packets<T>::first(const RayPacket<T>& rays) {
+  PacketFirst<T> found = first_boundaries(laid_out_, rays);
+  for (; found.doubtful != 0; found.doubtful &= found.doubtful - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(found.doubtful));
+    const bool met = classifier_.first(rays.ray(lane), rays.start(lane), found.boundary[lane],
+                                       rays.farthest[lane]);
+    (met ? found.hit : found.missed) |= 1u << lane;
     spans_ += classifier_.spans();
-  };
-  std::size_t i = 0;
-  if constexpr (kInPackets<T>) {
-    while (laid_out_ && i < rays.size()) {
-      RayPacket<T> packet;
-      const std::size_t lanes = std::min(kPacketLanes, rays.size() - i);
-      for (std::size_t lane = 0; lane < lanes; ++lane)
-        packet.set(lane, rays[i + lane].ray, rays[i + lane].start, farthest);
-      const PacketFirst<T> found = first_boundaries(*laid_out_, packet);
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        if (found.doubtful >> lane & 1u) {
-          ++doubtful_;
-          ask(i + lane);
-          continue;
-        }
-        met[i + lane] = found.hit >> lane & 1u;
-        boundaries[i + lane] = found.boundary[lane];
-      }
-      i += lanes;
-    }
+    ++doubtful_;
   }
-  for (; i < rays.size(); ++i) ask(i);
+  return found;
 }
 
 template <typename T>
-void Packets<T>::blocked(std::span<const StartedRay<T>> rays, T clearance,
-                         std::vector<char>& answer) {
-  answer.resize(rays.size());
-  const auto ask = [&](std::size_t i) {
-    answer[i] = classifier_.blocked(rays[i].ray, rays[i].start, clearance);
+std::uint32_t Packets<T>::blocked(const RayPacket<T>& rays, T clearance) {
+  PacketBlocked found = find_blocked(laid_out_, rays, clearance);
+  for (; found.doubtful != 0; found.doubtful &= found.doubtful - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(found.doubtful));
+    if (classifier_.blocked(rays.ray(lane), rays.start(lane), clearance))
+      found.blocked |= 1u << lane;
     spans_ += classifier_.spans();
-  };
-  std::size_t i = 0;
-  if constexpr (kInPackets<T>) {
-    while (laid_out_ && i < rays.size()) {
-      RayPacket<T> packet;
-      const std::size_t lanes = std::min(kPacketLanes, rays.size() - i);
-      for (std::size_t lane = 0; lane < lanes; ++lane)
-        packet.set(lane, rays[i + lane].ray, rays[i + lane].start, T(1));
-      const PacketBlocked found = find_blocked(*laid_out_, packet, clearance);
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        if (found.doubtful >> lane & 1u) {
-          ++doubtful_;
-          ask(i + lane);
-        } else {
-          answer[i + lane] = found.blocked >> lane & 1u;
-        }
-      }
-      i += lanes;
-    }
+    ++doubtful_;
   }
-  for (; i < rays.size(); ++i) ask(i);
+  return found.blocked;
 }
 
 template class Packets<float>;
 template class Packets<double>;
-template class Packets<long double>;
 
 }  // namespace sir

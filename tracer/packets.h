@@ -1,37 +1,24 @@
-// Rays by the packet, and what packets leave in doubt by the Classifier (for
+// A packet's rays, and what packets leave in doubt by the Classifier (for
 // RAY-TRACING, thesis 2.3.6).
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "tracer/classify.h"
 #include "tracer/packet_first.h"
 
 namespace sir {
 
-/// A ray of its own start.
-template <typename T>
-struct StartedRay {
-  RayCena<T> ray;
-  RayStart<T> start;
-};
-
-/// Finds boundaries of many rays; one for each thread. Where the solid cannot be
-/// laid out for packets, or T is long double, every ray goes to the Classifier.
+/// Finds boundaries of sixteen rays at a time; one for each thread. T: float or double.
 template <typename T>
 class Packets {
  public:
-  /// `laid_out` may be null; else it belongs to `solid`. Packets do the work of
-  /// Engine::gates only.
-  Packets(const Solid<T>& solid, const PacketSolid<T>* laid_out, Engine engine);
+  /// `laid_out` belongs to `solid`.
+  Packets(const Solid<T>& solid, const PacketSolid<T>& laid_out)
+      : laid_out_(laid_out), classifier_(solid) {}
 
-  /// Classifier::first() of each ray: met[i] and boundaries[i].
-  void first(std::span<const StartedRay<T>> rays, T farthest, std::vector<char>& met,
-             std::vector<Boundary<T>>& boundaries);
+  /// Classifier::first() of each ray; none stays doubtful.
+  PacketFirst<T> first(const RayPacket<T>& rays);
 
-  /// Classifier::blocked() of each ray; lights are at t = 1.
-  void blocked(std::span<const StartedRay<T>> rays, T clearance, std::vector<char>& answer);
+  /// The lanes that Classifier::blocked() is true for; lights are at t = 1.
+  std::uint32_t blocked(const RayPacket<T>& rays, T clearance);
 
   Classifier<T>& classifier() { return classifier_; }
   const Classifier<T>& classifier() const { return classifier_; }
@@ -43,7 +30,7 @@ class Packets {
   std::uint64_t doubtful() const { return doubtful_; }
 
  private:
-  const PacketSolid<T>* laid_out_;
+  const PacketSolid<T>& laid_out_;
   Classifier<T> classifier_;
   std::uint64_t spans_ = 0, doubtful_ = 0;
 };

@@ -5,17 +5,27 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tracer/pixel_tracer.h"
 #include "tracer/processor_time.h"
 #include "tracer/recentre.h"
 #include "tracer/sample_antialias.h"
 #include "tracer/trace.h"
-#include "tracer/wavefront.h"
 
 namespace sir {
 namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// A tile's pixels in squares, which packets' rays are to be neighbours in.
+template <typename Visit>
+void for_each_block(const Region& tile, Visit&& visit) {
+  constexpr int kSide = 4;
+  for (int y = 0; y < tile.height; y += kSide)
+    for (int x = 0; x < tile.width; x += kSide)
+      visit(Region{tile.x + x, tile.y + y, std::min(kSide, tile.width - x),
+                   std::min(kSide, tile.height - y)});
 }
 
 template <typename T>
@@ -51,33 +61,35 @@ RenderResult render_model(const Model<T>& model, const RenderOptions& options,
   const auto traced = std::chrono::steady_clock::now();
   const double processor = processor_seconds();
   Planes planes(ImageSize{region.width, region.height});
-  std::vector<std::shared_ptr<Wavefront<T>>> fronts;
+  std::vector<std::shared_ptr<PixelTracer<T>>> tracers;
   const auto make_worker = [&]() -> TileWorker {
-    fronts.push_back(std::make_shared<Wavefront<T>>(model, options.trace));
-    return [&, front = fronts.back(), rays = std::vector<RayCena<T>>(),
+    tracers.push_back(std::make_shared<PixelTracer<T>>(model, options.trace));
+    return [&, tracer = tracers.back(), rays = std::vector<RayCena<T>>(),
+            places = std::vector<std::size_t>(),
             bytes = std::vector<Rgb8>()](const Region& tile) mutable {
-      // A few rows at a time: enough rays to go together, and soon to be stopped.
-      constexpr int kRows = 8;
-      for (int top = 0; top < tile.height && !stop.stop_requested(); top += kRows) {
-        const int rows = std::min(kRows, tile.height - top);
-        rays.clear();
-        for (int j = tile.y + top; j < tile.y + top + rows; ++j)
-          for (int i = tile.x; i < tile.x + tile.width; ++i)
-            rays.push_back(model.camera.primary_ray(region.x + i, region.y + j, options.size));
+      const auto trace_batch = [&] {
         bytes.resize(rays.size());
-        front->pixels(rays, bytes);
-        for (std::size_t p = 0; p < bytes.size(); ++p) {
-          const auto width = static_cast<std::size_t>(tile.width);
-          const std::size_t row = static_cast<std::size_t>(tile.y + top) + p / width;
-          planes.set(row * static_cast<std::size_t>(region.width) +
-                         static_cast<std::size_t>(tile.x) + p % width,
-                     bytes[p]);
-        }
-      }
+        tracer->pixels(rays, bytes);
+        for (std::size_t p = 0; p < bytes.size(); ++p) planes.set(places[p], bytes[p]);
+        rays.clear();
+        places.clear();
+      };
+      const auto add = [&](int x, int y) {
+        rays.push_back(model.camera.primary_ray(region.x + x, region.y + y, options.size));
+        places.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(region.width) +
+                         static_cast<std::size_t>(x));
+      };
+      for_each_block(tile, [&](const Region& block) {
+        if (stop.stop_requested()) return;
+        for (int y = block.y; y < block.y + block.height; ++y)
+          for (int x = block.x; x < block.x + block.width; ++x) add(x, y);
+        if (rays.size() >= PixelTracer<T>::kBatch) trace_batch();
+      });
+      if (!stop.stop_requested()) trace_batch();
     };
   };
   result.complete = for_each_tile(planes.size, options.threads, make_worker, progress, stop);
-  for (const auto& front : fronts) result.counts += front->counts();
+  for (const auto& tracer : tracers) result.counts += tracer->counts();
   result.planes = std::move(planes);
   result.trace_seconds = seconds_since(traced);
   result.processor_seconds = processor_seconds() - processor;

@@ -3,31 +3,6 @@
 #include "tracer/ray_shadow.h"
 
 namespace sir {
-namespace {
-
-// max(0,N.H)^n; a zero L + E (the light straight behind the surface's point as
-// seen from the eye) has no direction and shines not. Rounding may lift N.H
-// above 1, and a large n would make any number of that.
-template <typename T>
-T highlight(const Hit<T>& hit, VectorCena<T> light) {
-  const VectorCena<T> half = light + hit.eye;
-  const T size = length(half);
-  if (!(size > 0)) return 0;
-  const T cosine = std::min(T(1), std::max(T(0), dot(hit.normal, half) / size));
-  return std::pow(cosine, hit.reflectance->exponent);
-}
-
-}  // namespace
-
-template <typename T>
-Colour<T> sent_back(const EffectSet& effects, const Hit<T>& hit, const Incidence<T>& incidence) {
-  const Reflectance<T>& k = *hit.reflectance;
-  Colour<T> factor = k.diffuse * incidence.cosine;
-  if (effects.highlight && k.specular > 0)
-    factor += k.specular * highlight(hit, incidence.to_light * (1 / incidence.distance));
-  return factor;
-}
-
 template <typename T>
 Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& hit,
                 RayCounts& counts, std::vector<glm::dvec3>* log, PixelLedger<T>* ledger, T weight) {
@@ -41,7 +16,7 @@ Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& 
     ledger->settle(Colour<T>(0), weight * sum);
   }
   for (const PointLight<T>& source : model.lights) {
-    const Incidence<T> incidence(hit, source);
+    const Incidence<T> incidence(hit.point, hit.normal, source.position);
     const bool lit = incidence.cosine > 0;
     const Colour<T> most = most_of(k, source);
     const bool asked =
@@ -63,7 +38,9 @@ Colour<T> shade(const Model<T>& model, Classifier<T>& classifier, const Hit<T>& 
     if (!lit) arriving = Colour<T>(0);
     if (log) log->push_back(glm::dvec3(arriving));
     if (lit && arriving != Colour<T>(0)) {
-      came = arriving * sent_back(effects, hit, incidence);
+      const bool shiny = effects.highlight && k.specular > 0;
+      const T gleam = shiny ? gleam_of(hit.eye, hit.normal, incidence) : T(-1);
+      came = arriving * sent_back(effects, k, incidence.cosine, gleam);
       sum += came;
     }
     if (ledger) ledger->settle(weight * most, weight * came);
@@ -78,10 +55,5 @@ template Colour<double> shade(const Model<double>&, Classifier<double>&, const H
 template Colour<long double> shade(const Model<long double>&, Classifier<long double>&,
                                    const Hit<long double>&, RayCounts&, std::vector<glm::dvec3>*,
                                    PixelLedger<long double>*, long double);
-
-template Colour<float> sent_back(const EffectSet&, const Hit<float>&, const Incidence<float>&);
-template Colour<double> sent_back(const EffectSet&, const Hit<double>&, const Incidence<double>&);
-template Colour<long double> sent_back(const EffectSet&, const Hit<long double>&,
-                                       const Incidence<long double>&);
 
 }  // namespace sir

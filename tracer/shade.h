@@ -16,11 +16,21 @@ struct Incidence {
   VectorCena<T> to_light;  ///< light - point
   T distance, cosine;      ///< of to_light; N.L, 0 at the light itself
 
-  Incidence(const Hit<T>& hit, const PointLight<T>& source)
-      : to_light(source.position - hit.point),
+  Incidence(PointCena<T> point, VectorCena<T> normal, PointCena<T> light)
+      : to_light(light - point),
         distance(length(to_light)),
-        cosine(distance > 0 ? dot(hit.normal, to_light) / distance : T(0)) {}
+        cosine(distance > 0 ? dot(normal, to_light) / distance : T(0)) {}
 };
+
+/// N.H within [0,1]; below 0 where L + E is zero (the light straight behind the
+/// surface's point as seen from the eye): that has no direction, and shines not.
+/// Rounding may lift N.H above 1, and a large n would make any number of that.
+template <typename T>
+T gleam_of(VectorCena<T> eye, VectorCena<T> normal, const Incidence<T>& incidence) {
+  const VectorCena<T> half = incidence.to_light * (1 / incidence.distance) + eye;
+  const T size = length(half);
+  return size > 0 ? std::min(T(1), std::max(T(0), dot(normal, half) / size)) : T(-1);
+}
 
 /// The most that a light can bring: it falls in straight, there is no shadow, and
 /// the highlight is at its brightest.
@@ -29,9 +39,15 @@ Colour<T> most_of(const Reflectance<T>& k, const PointLight<T>& source) {
   return source.intensity * (k.diffuse + k.specular);
 }
 
-/// Kd N.L + Ks max(0,N.H)^n where N.L > 0.
+/// Kd N.L + Ks max(0,N.H)^n where N.L > 0. `gleam`: see gleam_of(); it is asked for
+/// where there are highlights and Ks > 0 only.
 template <typename T>
-Colour<T> sent_back(const EffectSet& effects, const Hit<T>& hit, const Incidence<T>& incidence);
+Colour<T> sent_back(const EffectSet& effects, const Reflectance<T>& k, T cosine, T gleam) {
+  Colour<T> factor = k.diffuse * cosine;
+  if (effects.highlight && k.specular > 0 && gleam >= 0)
+    factor += k.specular * std::pow(gleam, k.exponent);
+  return factor;
+}
 
 /// Ia Ka + sum over lights If [Kd max(0,N.L) + Ks max(0,N.H)^n], L, E, H and N
 /// unit, H = normalize(L+E). A light counts only where N.L > 0. Casts the

@@ -1,18 +1,29 @@
 #include "tracer/wavefront.h"
 
-#include "tracer/ray_secondary.h"
-#include "tracer/ray_shadow.h"
+#include "tracer/branching.h"
 #include "tracer/shade.h"
 
 namespace sir {
+namespace {
+
+// One light on a point that sends nothing on leaves nothing to be spared.
+template <typename T>
+bool may_spare(const Model<T>& model, const TraceOptions& options) {
+  const EffectSet& effects = model.effects;
+  const bool branches = options.depth_limit > 1 && (effects.reflection || effects.refraction);
+  return !effects.exhaustive && (branches || model.lights.size() > 1);
+}
+
+}  // namespace
 
 template <typename T>
 Wavefront<T>::Wavefront(const Model<T>& model, const TraceOptions& options)
     : model_(model),
       options_(options),
-      packets_(model.solid, model.laid_out.get(), options.engine),
+      packets_(model.solid, *model.laid_out),
       deep_(model, options),
-      bound_(model, options) {}
+      bound_(model, options),
+      sparing_(may_spare(model, options) && bound_.bounded()) {}
 
 template <typename T>
 RayCounts Wavefront<T>::counts() const {
@@ -28,25 +39,28 @@ template <typename T>
 void Wavefront<T>::pixels(std::span<const RayCena<T>> primary, std::span<Rgb8> bytes) {
   const std::size_t count = bytes.size();
   rays_.clear();
+  senders_.clear();
   nodes_.clear();
-  ledgers_.resize(count);
+  if (sparing_) ledgers_.resize(count);
   colours_.assign(count, model_.background);
   for (std::uint32_t p = 0; p < count; ++p) {
-    ledgers_[p].open(!model_.effects.exhaustive && bound_.bounded());
-    rays_.push_back({primary[p], {}, Colour<T>(0), T(0), T(1), kNone, p, false});
+    if (sparing_) ledgers_[p].open(true);
+    rays_.push(primary[p]);
+    senders_.push_back({Colour<T>(0), T(0), T(1), kNone, p, false});
   }
   counts_.primary += count;
-  for (int depth = 1; !rays_.empty(); ++depth) {
+  for (int depth = 1; rays_.size() > 0; ++depth) {
     if (depth > kBreadth) {
       finish_deep(depth);
       break;
     }
-    const std::size_t first = nodes_.size();
-    find_hits(depth);
-    shade_nodes(first);
+    find_points(depth);
+    for (const PointLight<T>& source : model_.lights) ask_light(source);
     next_.clear();
-    branch(first, depth);
-    rays_.swap(next_);
+    next_senders_.clear();
+    branch(depth);
+    std::swap(rays_, next_);
+    senders_.swap(next_senders_);
   }
   // Points stand behind the points that they are seen from.
   for (std::size_t n = nodes_.size(); n-- > 0;) {
@@ -58,173 +72,167 @@ void Wavefront<T>::pixels(std::span<const RayCena<T>> primary, std::span<Rgb8> b
 
 // Where the rays hit: a point for each, and what its secondary rays may bring.
 template <typename T>
-void Wavefront<T>::find_hits(int depth) {
-  together_.clear();
-  for (const Ray& ray : rays_) together_.push_back({ray.ray, ray.start});
-  packets_.first(together_, std::numeric_limits<T>::infinity(), met_, boundaries_);
-  for (std::size_t i = 0; i < rays_.size(); ++i) {
-    const Ray& ray = rays_[i];
-    PixelLedger<T>& ledger = ledgers_[ray.pixel];
-    if (!met_[i]) {
-      ledger.settle(ray.most, ray.path_weight * model_.background);
-      deliver(ray.parent, ray.pixel, ray.mirror, model_.background);
-      continue;
-    }
-    Node& node = nodes_.emplace_back();
-    node.hit = hit_at(model_, ray.ray, boundaries_[i]);
-    node.branching = branching_at(model_, node.hit, ray.index);
-    node.path_weight = ray.path_weight;
-    node.parent = ray.parent;
-    node.pixel = ray.pixel;
-    node.mirror = ray.mirror;
-    const Reflectance<T>& k = *node.hit.reflectance;
-    node.own = model_.ambient * k.ambient;
-    Colour<T> most(0);
-    for (const PointLight<T>& source : model_.lights) most += most_of(k, source);
-    ledger.expect(most_of_branch(node, true, depth) + most_of_branch(node, false, depth) +
-                      node.path_weight * most,
-                  static_cast<T>(model_.lights.size() + 1));
-    ledger.settle(ray.most, node.path_weight * node.own);
+void Wavefront<T>::find_points(int depth) {
+  first_ = static_cast<std::uint32_t>(nodes_.size());
+  details_.clear();
+  hits_.resize(std::max(hits_.size(), rays_.packets()));
+  through_.resize(hits_.size());
+  hit_lanes_.clear();
+  Colour<T> most(0);
+  for (std::size_t p = 0; p < rays_.packets(); ++p) {
+    const RayPacket<T>& rays = rays_.packet(p);
+    const PacketFirst<T> found = packets_.first(rays);
+    hit_lanes_.push_back(found.hit);
+    for (std::uint32_t left = found.missed; left != 0; left &= left - 1)
+      miss(senders_[kPacketLanes * p + static_cast<std::size_t>(std::countr_zero(left))]);
+    if (found.hit == 0) continue;
+    find_hits(model_, rays, found.hit, found.boundary, hits_[p]);
+    const auto node = static_cast<std::uint32_t>(nodes_.size());
+    if (const std::uint32_t asking = add_nodes(p, found); asking != 0) refract(p, asking, node);
+  }
+  if (!sparing_) return;
+  for_each_hit([&](std::uint32_t node, std::size_t p, std::size_t lane) {
+    enter_in_ledger(node, senders_[kPacketLanes * p + lane].most, depth);
+  });
+}
+
+template <typename T>
+void Wavefront<T>::miss(const Sender& sender) {
+  if (sparing_) ledgers_[sender.pixel].settle(sender.most, sender.path_weight * model_.background);
+  deliver(sender.parent, sender.pixel, sender.mirror, model_.background);
+}
+
+// A node for each hit of a packet; the lanes that ask for a refracted direction.
+template <typename T>
+std::uint32_t Wavefront<T>::add_nodes(std::size_t p, const PacketFirst<T>& found) {
+  std::uint32_t asking = 0;
+  for (std::uint32_t left = found.hit; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    const Sender& sender = senders_[kPacketLanes * p + lane];
+    const Boundary<T>& boundary = found.boundary[lane];
+    const Reflectance<T>& k = reflectance_at(model_, boundary, hits_[p].point_of(lane));
+    bool asks = false;
+    const auto made =
+        branching_before_refraction(model_.effects, k, boundary.entering, sender.index, asks);
+    if (asks) asking |= 1u << lane;
+    nodes_.push_back({model_.ambient * k.ambient, Colour<T>(0), Colour<T>(0), made.mirror_weight,
+                      made.through_weight, sender.parent, sender.pixel, sender.mirror});
+    details_.push_back({&k, sender.path_weight, made.index, made.index_beyond, boundary.leaf,
+                        boundary.leaf_entering, false});
+  }
+  return asking;
+}
+
+template <typename T>
+void Wavefront<T>::refract(std::size_t p, std::uint32_t asking, std::uint32_t node) {
+  alignas(64) T from[kPacketLanes] = {}, to[kPacketLanes] = {};
+  std::uint32_t at = node;
+  for (std::uint32_t left = hit_lanes_[p]; left != 0; left &= left - 1, ++at) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    from[lane] = refraction_index(detail(at).index);
+    to[lane] = detail(at).index_beyond;
+  }
+  const std::uint32_t bent = find_refracted(hits_[p], asking, from, to, through_[p].component);
+  at = node;
+  for (std::uint32_t left = hit_lanes_[p]; left != 0; left &= left - 1, ++at) {
+    const std::uint32_t bit = left & -left;
+    if (!(asking & bit)) continue;
+    detail(at).has_through = (bent & bit) != 0;
+    if (bent & bit) continue;
+    nodes_[at].mirror_weight += nodes_[at].through_weight;
+    nodes_[at].through_weight = 0;
   }
 }
 
 template <typename T>
-void Wavefront<T>::shade_nodes(std::size_t first) {
-  for (const PointLight<T>& source : model_.lights) ask_light(first, source);
-}
-
-// See shade(): the same, light by light, for all points of a depth.
-template <typename T>
-void Wavefront<T>::ask_light(std::size_t first, const PointLight<T>& source) {
-  const EffectSet& effects = model_.effects;
-  asked_.clear();
-  together_.clear();
-  for (std::size_t n = first; n < nodes_.size(); ++n) {
-    Node& node = nodes_[n];
-    PixelLedger<T>& ledger = ledgers_[node.pixel];
-    const Incidence<T> incidence(node.hit, source);
-    const Colour<T> most = most_of(*node.hit.reflectance, source);
-    const bool lit = incidence.cosine > 0;
-    const bool asked = effects.exhaustive ? incidence.distance > 0 : lit && most != Colour<T>(0);
-    if (!asked) {
-      ledger.settle(node.path_weight * most, Colour<T>(0));
-    } else if (!effects.shadow) {
-      light_up(node, incidence, source, source.intensity);
-    } else if (ledger.decided()) {
-      ++counts_.spared;
-    } else {
-      asked_.push_back({static_cast<std::uint32_t>(n), incidence});
-      together_.push_back({{node.hit.point, incidence.to_light}, node.hit.leaving_on_eye_side()});
-    }
-  }
-  counts_.shadow += asked_.size();
-  find_arriving(source);
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
-    const Colour<T>& arriving = arriving_[i];
-    if (arriving != source.intensity && arriving != Colour<T>(0)) ++counts_.filtered;
-    light_up(nodes_[asked_[i].node], asked_[i].incidence, source, arriving);
-  }
-}
-
-// How much of the light comes along the rays that go together: light_reaching() of each.
-template <typename T>
-void Wavefront<T>::find_arriving(const PointLight<T>& source) {
-  arriving_.assign(together_.size(), source.intensity);
-  if (!model_.effects.filter) {
-    packets_.blocked(together_, source.clearance, met_);
-    for (std::size_t i = 0; i < together_.size(); ++i)
-      if (met_[i]) arriving_[i] = Colour<T>(0);
-    return;
-  }
-  // Most meet nothing, or something opaque: only glass needs the whole list.
-  packets_.first(together_, T(1), met_, boundaries_);
-  for (std::size_t i = 0; i < together_.size(); ++i) {
-    if (!met_[i]) continue;
-    const RayCena<T>& ray = together_[i].ray;
-    const Boundary<T>& boundary = boundaries_[i];
-    if (!(boundary.t < 1) || Numeric<T>::same_event(boundary.t, T(1))) continue;
-    const bool glass = reflectance_at(model_, boundary, ray.at(boundary.t)).transmission > 0;
-    arriving_[i] =
-        glass ? light_through(model_, packets_.classifier(), ray, together_[i].start, source)
-              : Colour<T>(0);
-  }
+void Wavefront<T>::enter_in_ledger(std::uint32_t node, const Colour<T>& most, int depth) {
+  const Detail& detail = this->detail(node);
+  Colour<T> lights(0);
+  for (const PointLight<T>& source : model_.lights) lights += most_of(*detail.reflectance, source);
+  PixelLedger<T>& ledger = ledgers_[nodes_[node].pixel];
+  ledger.expect(most_of_branch(node, true, depth) + most_of_branch(node, false, depth) +
+                    detail.path_weight * lights,
+                static_cast<T>(model_.lights.size() + 1));
+  ledger.settle(most, detail.path_weight * nodes_[node].own);
 }
 
 template <typename T>
-void Wavefront<T>::light_up(Node& node, const Incidence<T>& incidence, const PointLight<T>& source,
-                            const Colour<T>& arriving) {
-  Colour<T> came(0);
-  if (incidence.cosine > 0 && arriving != Colour<T>(0)) {
-    came = arriving * sent_back(model_.effects, node.hit, incidence);
-    node.own += came;
-  }
-  ledgers_[node.pixel].settle(node.path_weight * most_of(*node.hit.reflectance, source),
-                              node.path_weight * came);
+RayStart<T> Wavefront<T>::leaving(std::uint32_t node, T error, bool through) {
+  const Detail& detail = this->detail(node);
+  return {detail.leaf, detail.leaf_entering == through, error};
 }
 
 template <typename T>
-bool Wavefront<T>::wanted(const Node& node, T weight) const {
+bool Wavefront<T>::wanted(std::uint32_t node, T weight) {
   if (!(weight > 0)) return model_.effects.exhaustive;
-  return node.path_weight * weight >= static_cast<T>(options_.cutoff);
+  return detail(node).path_weight * weight >= static_cast<T>(options_.cutoff);
 }
 
 // The most that the pixel may get from the mirrored or the refracted ray.
 template <typename T>
-Colour<T> Wavefront<T>::most_of_branch(const Node& node, bool mirror, int depth) const {
-  const T weight = mirror ? node.branching.mirror_weight : node.branching.through_weight;
+Colour<T> Wavefront<T>::most_of_branch(std::uint32_t node, bool mirror, int depth) {
+  const T weight = mirror ? nodes_[node].mirror_weight : nodes_[node].through_weight;
   if (!(weight > 0)) return Colour<T>(0);
+  const T path_weight = detail(node).path_weight;
   if (depth >= options_.depth_limit) {
     if (options_.past_limit == PastLimit::zero) return Colour<T>(0);
-    return node.path_weight * weight * model_.background;
+    return path_weight * weight * model_.background;
   }
   if (!wanted(node, weight)) return Colour<T>(0);
-  return node.path_weight * weight * bound_.at(depth + 1);
+  return path_weight * weight * bound_.at(depth + 1);
 }
 
 template <typename T>
-void Wavefront<T>::branch(std::size_t first, int depth) {
-  for (std::size_t n = first; n < nodes_.size(); ++n)
-    for (const bool mirror : {true, false})
-      branch_off(static_cast<std::uint32_t>(n), mirror, depth);
+void Wavefront<T>::branch(int depth) {
+  const EffectSet& effects = model_.effects;
+  if (!effects.reflection && !effects.refraction) return;
+  Directions mirrored;
+  std::size_t last = hits_.size();
+  for_each_hit([&](std::uint32_t node, std::size_t p, std::size_t lane) {
+    if (p != last && depth < options_.depth_limit)
+      find_mirrored(hits_[p], hit_lanes_[p], mirrored.component);
+    last = p;
+    const PointCena<T> point = hits_[p].point_of(lane);
+    branch_off(node, true, depth, {point, mirrored.of(lane)}, hits_[p].error[lane]);
+    branch_off(node, false, depth, {point, through_[p].of(lane)}, hits_[p].error[lane]);
+  });
 }
 
 template <typename T>
-void Wavefront<T>::branch_off(std::uint32_t index, bool mirror, int depth) {
+void Wavefront<T>::branch_off(std::uint32_t index, bool mirror, int depth, const RayCena<T>& ray,
+                              T error) {
   Node& node = nodes_[index];
-  const Branching<T>& branching = node.branching;
-  const T weight = mirror ? branching.mirror_weight : branching.through_weight;
-  PixelLedger<T>& ledger = ledgers_[node.pixel];
+  const Detail& detail = this->detail(index);
+  const T weight = mirror ? node.mirror_weight : node.through_weight;
   if (depth >= options_.depth_limit) {
     if (options_.past_limit == PastLimit::background && weight > 0)
       (mirror ? node.mirrored : node.passed) = weight * model_.background;
-    const Colour<T> most = most_of_branch(node, mirror, depth);
-    ledger.settle(most, most);
     return;
   }
-  const bool allowed = mirror ? model_.effects.reflection || weight > 0 : branching.has_through;
-  if (!allowed || !wanted(node, weight)) return;
-  if (ledger.decided()) {
+  const bool allowed = mirror ? model_.effects.reflection || weight > 0 : detail.has_through;
+  if (!allowed || !wanted(index, weight)) return;
+  if (sparing_ && ledgers_[node.pixel].decided()) {
     ++counts_.spared;
     return;
   }
   ++(mirror ? counts_.reflected : counts_.refracted);
-  next_.push_back(
-      {{node.hit.point, mirror ? mirrored(node.hit.incident, node.hit.normal) : branching.through},
-       mirror ? node.hit.leaving_on_eye_side() : node.hit.leaving_through(),
-       most_of_branch(node, mirror, depth),
-       mirror ? branching.index : branching.index_beyond,
-       node.path_weight * weight,
-       index,
-       node.pixel,
-       mirror});
+  next_.push(ray, leaving(index, error, !mirror));
+  const Colour<T> most = sparing_ ? most_of_branch(index, mirror, depth) : Colour<T>(0);
+  next_senders_.push_back({most, mirror ? detail.index : detail.index_beyond,
+                           detail.path_weight * weight, index, node.pixel, mirror});
 }
 
 // What lies deeper is followed ray by ray, in memory that does not grow.
 template <typename T>
 void Wavefront<T>::finish_deep(int depth) {
-  for (const Ray& ray : rays_)
-    deliver(ray.parent, ray.pixel, ray.mirror,
-            deep_.radiance_of(ray.ray, ray.start, ray.index, ray.path_weight, depth));
+  for (std::size_t r = 0; r < rays_.size(); ++r) {
+    const Sender& sender = senders_[r];
+    const RayPacket<T>& rays = rays_.packet(r / kPacketLanes);
+    const std::size_t lane = r % kPacketLanes;
+    deliver(sender.parent, sender.pixel, sender.mirror,
+            deep_.radiance_of(rays.ray(lane), rays.start(lane), sender.index, sender.path_weight,
+                              depth));
+  }
 }
 
 // Hands what a ray saw to the point that sent it, or to the pixel.
@@ -236,12 +244,11 @@ void Wavefront<T>::deliver(std::uint32_t parent, std::uint32_t pixel, bool mirro
     return;
   }
   Node& node = nodes_[parent];
-  const T weight = mirror ? node.branching.mirror_weight : node.branching.through_weight;
+  const T weight = mirror ? node.mirror_weight : node.through_weight;
   if (weight > 0) (mirror ? node.mirrored : node.passed) = weight * colour;
 }
 
 template class Wavefront<float>;
 template class Wavefront<double>;
-template class Wavefront<long double>;
 
 }  // namespace sir

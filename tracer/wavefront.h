@@ -2,23 +2,26 @@
 // of the next, so that those of a kind can be traced together.
 #pragma once
 
+#include <bit>
 #include <span>
 #include <vector>
 
+#include "tracer/packet_hit.h"
 #include "tracer/packets.h"
-#include "tracer/shade.h"
+#include "tracer/ray_stream.h"
 #include "tracer/trace.h"
 
 namespace sir {
 
-/// Gives the bytes that Tracer::pixel() gives; one for each thread. The model must
-/// outlive it.
+/// Gives the bytes that Tracer::pixel() gives, by packets; one for each thread. The
+/// model must outlive it, and have its solid laid out. T: float or double.
 template <typename T>
 class Wavefront {
  public:
   Wavefront(const Model<T>& model, const TraceOptions& options);
 
-  /// The bytes of primary rays, as many as there are places in `bytes`.
+  /// The bytes of primary rays, as many as there are places in `bytes`. Neighbours
+  /// are faster than strangers.
   void pixels(std::span<const RayCena<T>> primary, std::span<Rgb8> bytes);
 
   RayCounts counts() const;
@@ -27,57 +30,92 @@ class Wavefront {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   static constexpr int kBreadth = 7;  // depths that are taken together; trees grow as 2^depth
 
-  struct Ray {
-    RayCena<T> ray;
-    RayStart<T> start;
+  // What a ray is sent for.
+  struct Sender {
     Colour<T> most;  // what the ledger expects of it
     T index;         // of its medium; 0: not known
     T path_weight;
     std::uint32_t parent, pixel;  // index into nodes_, or kNone; into ledgers_
     bool mirror;                  // of its parent's two
   };
+  // A point that is seen, until all that it sends on has come back.
   struct Node {
-    Hit<T> hit;
-    Branching<T> branching;
     Colour<T> own, mirrored, passed;  // its light, and what secondary rays saw times weights
-    T path_weight;
+    T mirror_weight, through_weight;
     std::uint32_t parent, pixel;
     bool mirror;
   };
+  // What is needed besides while its own depth is worked on.
+  struct Detail {
+    const Reflectance<T>* reflectance;
+    T path_weight, index, index_beyond;
+    std::uint32_t leaf;
+    bool leaf_entering, has_through;
+  };
+  struct Asked {
+    std::uint32_t node;
+    T cosine, gleam;
+  };
 
-  void find_hits(int depth);
-  void shade_nodes(std::size_t first);
-  void ask_light(std::size_t first, const PointLight<T>& source);
-  void find_arriving(const PointLight<T>& source);
-  void light_up(Node& node, const Incidence<T>& incidence, const PointLight<T>& source,
-                const Colour<T>& arriving);
-  void branch(std::size_t first, int depth);
-  void branch_off(std::uint32_t node, bool mirror, int depth);
+  // The nodes from first_ on are those of the depth that is worked on, in the order of
+  // hits_ and their lanes.
+  template <typename Visit>
+  void for_each_hit(Visit&& visit);  // visit(node, packet, lane)
+  Detail& detail(std::uint32_t node) { return details_[node - first_]; }
+  RayStart<T> leaving(std::uint32_t node, T error, bool through);
+
+  void find_points(int depth);
+  void miss(const Sender& sender);
+  std::uint32_t add_nodes(std::size_t p, const PacketFirst<T>& found);
+  void refract(std::size_t p, std::uint32_t asking, std::uint32_t node);
+  void enter_in_ledger(std::uint32_t node, const Colour<T>& most, int depth);
+  void ask_light(const PointLight<T>& source);
+  void ask(std::uint32_t node, const PointLight<T>& source, const PacketHits<T>& hits,
+           const PacketIncidence<T>& incidence, std::size_t lane);
+  void hear_light(const PointLight<T>& source);
+  Colour<T> arriving_at(const RayCena<T>& ray, const RayStart<T>& start,
+                        const Boundary<T>& boundary, const PointLight<T>& source);
+  void light_up(const Asked& asked, const PointLight<T>& source, const Colour<T>& arriving);
+  void branch(int depth);
+  void branch_off(std::uint32_t node, bool mirror, int depth, const RayCena<T>& ray, T error);
   void finish_deep(int depth);
   void deliver(std::uint32_t parent, std::uint32_t pixel, bool mirror, const Colour<T>& colour);
-  Colour<T> most_of_branch(const Node& node, bool mirror, int depth) const;
-  bool wanted(const Node& node, T weight) const;
+  Colour<T> most_of_branch(std::uint32_t node, bool mirror, int depth);
+  bool wanted(std::uint32_t node, T weight);
 
   const Model<T>& model_;
   TraceOptions options_;
   Packets<T> packets_;
   Tracer<T> deep_;  // beyond kBreadth
   RadianceBound<T> bound_;
+  bool sparing_;  // ledgers are kept
   RayCounts counts_;
-  std::vector<Ray> rays_, next_;
-  std::vector<Node> nodes_;  // of all depths, in order
+  RayStream<T> rays_, next_, shadow_;
+  std::vector<Sender> senders_, next_senders_;  // of the rays, in their order
+  std::vector<PacketHits<T>> hits_;
+  std::vector<std::uint32_t> hit_lanes_;  // of hits_
+  std::vector<Node> nodes_;               // of all depths, in order
+  std::uint32_t first_ = 0;
+  std::vector<Detail> details_;
+  std::vector<Asked> asked_;  // for each shadow ray
   std::vector<PixelLedger<T>> ledgers_;
-  // The rays that go together, what they ask for, and what was found.
-  struct Asked {
-    std::uint32_t node;
-    Incidence<T> incidence;
-  };
-  std::vector<Asked> asked_;
-  std::vector<StartedRay<T>> together_;
-  std::vector<char> met_;
-  std::vector<Boundary<T>> boundaries_;
-  std::vector<Colour<T>> arriving_;
   std::vector<Colour<T>> colours_;  // of the pixels
+  struct Directions {
+    alignas(64) T component[3][kPacketLanes];
+    VectorCena<T> of(std::size_t lane) const {
+      return {{component[0][lane], component[1][lane], component[2][lane]}};
+    }
+  };
+  std::vector<Directions> through_;  // refracted, of hits_
 };
+
+template <typename T>
+template <typename Visit>
+void Wavefront<T>::for_each_hit(Visit&& visit) {
+  std::uint32_t node = first_;
+  for (std::size_t p = 0; p < hit_lanes_.size(); ++p)
+    for (std::uint32_t left = hit_lanes_[p]; left != 0; left &= left - 1)
+      visit(node++, p, static_cast<std::size_t>(std::countr_zero(left)));
+}
 
 }  // namespace sir

@@ -1,0 +1,98 @@
+// The lights of a wavefront's points: shade() for all points of a depth, light by light.
+#include "tracer/ray_shadow.h"
+#include "tracer/shade.h"
+#include "tracer/wavefront.h"
+
+namespace sir {
+
+template <typename T>
+void Wavefront<T>::ask_light(const PointLight<T>& source) {
+  asked_.clear();
+  shadow_.clear();
+  PacketIncidence<T> incidence;
+  std::size_t last = hits_.size();
+  for_each_hit([&](std::uint32_t node, std::size_t p, std::size_t lane) {
+    if (p != last)
+      find_incidence(hits_[p], hit_lanes_[p], source.position, model_.effects.highlight, incidence);
+    last = p;
+    ask(node, source, hits_[p], incidence, lane);
+  });
+  counts_.shadow += asked_.size();
+  hear_light(source);
+}
+
+template <typename T>
+void Wavefront<T>::ask(std::uint32_t node, const PointLight<T>& source, const PacketHits<T>& hits,
+                       const PacketIncidence<T>& incidence, std::size_t lane) {
+  const EffectSet& effects = model_.effects;
+  const Detail& detail = this->detail(node);
+  const Colour<T> most = most_of(*detail.reflectance, source);
+  const T cosine = incidence.cosine[lane];
+  const bool asked =
+      effects.exhaustive ? incidence.distance[lane] > 0 : cosine > 0 && most != Colour<T>(0);
+  if (!asked) {
+    if (sparing_) ledgers_[nodes_[node].pixel].settle(detail.path_weight * most, Colour<T>(0));
+    return;
+  }
+  const Asked question{node, cosine, incidence.gleam[lane]};
+  if (!effects.shadow) {
+    light_up(question, source, source.intensity);
+  } else if (sparing_ && ledgers_[nodes_[node].pixel].decided()) {
+    ++counts_.spared;
+  } else {
+    asked_.push_back(question);
+    shadow_.push({hits.point_of(lane), incidence.to_light_of(lane)},
+                 leaving(node, hits.error[lane], false), T(1));
+  }
+}
+
+// What comes along the shadow rays: light_reaching() of each.
+template <typename T>
+void Wavefront<T>::hear_light(const PointLight<T>& source) {
+  for (std::size_t p = 0; p < shadow_.packets(); ++p) {
+    const RayPacket<T>& rays = shadow_.packet(p);
+    PacketFirst<T> found;
+    // Most meet nothing, or something opaque: only glass needs the whole list.
+    if (model_.effects.filter) found = packets_.first(rays);
+    else found.hit = packets_.blocked(rays, source.clearance);
+    for (std::uint32_t left = rays.active; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      Colour<T> arriving = source.intensity;
+      if (found.hit >> lane & 1u)
+        arriving = model_.effects.filter
+                       ? arriving_at(rays.ray(lane), rays.start(lane), found.boundary[lane], source)
+                       : Colour<T>(0);
+      if (arriving != source.intensity && arriving != Colour<T>(0)) ++counts_.filtered;
+      light_up(asked_[kPacketLanes * p + lane], source, arriving);
+    }
+  }
+}
+
+// What is left of a light behind the first boundary on the way to it.
+template <typename T>
+Colour<T> Wavefront<T>::arriving_at(const RayCena<T>& ray, const RayStart<T>& start,
+                                    const Boundary<T>& boundary, const PointLight<T>& source) {
+  if (!(boundary.t < 1) || Numeric<T>::same_event(boundary.t, T(1))) return source.intensity;
+  if (!(reflectance_at(model_, boundary, ray.at(boundary.t)).transmission > 0)) return Colour<T>(0);
+  return light_through(model_, packets_.classifier(), ray, start, source);
+}
+
+template <typename T>
+void Wavefront<T>::light_up(const Asked& asked, const PointLight<T>& source,
+                            const Colour<T>& arriving) {
+  Node& node = nodes_[asked.node];
+  const Detail& detail = this->detail(asked.node);
+  Colour<T> came(0);
+  if (asked.cosine > 0 && arriving != Colour<T>(0)) {
+    came = arriving * sent_back(model_.effects, *detail.reflectance, asked.cosine, asked.gleam);
+    node.own += came;
+  }
+  if (sparing_)
+    ledgers_[node.pixel].settle(detail.path_weight * most_of(*detail.reflectance, source),
+                                detail.path_weight * came);
+}
+
+template void Wavefront<float>::ask_light(const PointLight<float>&);
+template void Wavefront<double>::ask_light(const PointLight<double>&);
+
+}  // namespace sir
