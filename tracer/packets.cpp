@@ -33,6 +33,15 @@ std::uint32_t Packets<T>::blocked(const RayPacket<T>& rays, T clearance) {
   return found.blocked;
 }
 
+template <typename T>
+PacketFilter<T> Packets<T>::filters(const RayPacket<T>& rays, std::uint32_t where) {
+  RayPacket<T> asked = rays;
+  asked.active = where;
+  PacketFilter<T> found = find_filters(laid_out_, asked);
+  doubtful_ += static_cast<std::uint64_t>(std::popcount(found.doubtful));
+  return found;
+}
+
 template class Packets<float>;
 template class Packets<double>;
 

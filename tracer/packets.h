@@ -2,6 +2,7 @@
 // RAY-TRACING, thesis 2.3.6).
 #pragma once
 
+#include "tracer/packet_filter.h"
 #include "tracer/packet_first.h"
 
 namespace sir {
@@ -19,6 +20,9 @@ class Packets {
 
   /// The lanes that Classifier::blocked() is true for; lights are at t = 1.
   std::uint32_t blocked(const RayPacket<T>& rays, T clearance);
+
+  /// What the rays of `where` pass on the way to their light; some may stay doubtful.
+  PacketFilter<T> filters(const RayPacket<T>& rays, std::uint32_t where);
 
   Classifier<T>& classifier() { return classifier_; }
   const Classifier<T>& classifier() const { return classifier_; }

@@ -73,8 +73,9 @@ class Wavefront {
   void ask(std::uint32_t node, const PointLight<T>& source, const PacketHits<T>& hits,
            const PacketIncidence<T>& incidence, std::size_t lane);
   void hear_light(const PointLight<T>& source);
-  Colour<T> arriving_at(const RayCena<T>& ray, const RayStart<T>& start,
-                        const Boundary<T>& boundary, const PointLight<T>& source);
+  void hear_through_glass(const RayPacket<T>& rays, const PointLight<T>& source,
+                          Colour<T> (&arriving)[kPacketLanes]);
+  T transmission_at(const RayPacket<T>& rays, std::size_t lane, const Boundary<T>& boundary) const;
   void light_up(const Asked& asked, const PointLight<T>& source, const Colour<T>& arriving);
   void branch(int depth);
   void branch_off(std::uint32_t node, bool mirror, int depth, const RayCena<T>& ray, T error);

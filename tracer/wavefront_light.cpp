@@ -51,30 +51,58 @@ template <typename T>
 void Wavefront<T>::hear_light(const PointLight<T>& source) {
   for (std::size_t p = 0; p < shadow_.packets(); ++p) {
     const RayPacket<T>& rays = shadow_.packet(p);
-    PacketFirst<T> found;
-    // Most meet nothing, or something opaque: only glass needs the whole list.
-    if (model_.effects.filter) found = packets_.first(rays);
-    else found.hit = packets_.blocked(rays, source.clearance);
-    for (std::uint32_t left = rays.active; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      Colour<T> arriving = source.intensity;
-      if (found.hit >> lane & 1u)
-        arriving = model_.effects.filter
-                       ? arriving_at(rays.ray(lane), rays.start(lane), found.boundary[lane], source)
-                       : Colour<T>(0);
-      if (arriving != source.intensity && arriving != Colour<T>(0)) ++counts_.filtered;
-      light_up(asked_[kPacketLanes * p + lane], source, arriving);
+    Colour<T> arriving[kPacketLanes];
+    if (model_.effects.filter) {
+      hear_through_glass(rays, source, arriving);
+    } else {
+      const std::uint32_t blocked = packets_.blocked(rays, source.clearance);
+      for (std::size_t lane = 0; lane < kPacketLanes; ++lane)
+        arriving[lane] = blocked >> lane & 1u ? Colour<T>(0) : source.intensity;
+    }
+    const std::size_t first = kPacketLanes * p;
+    for (std::size_t lane = 0; lane < kPacketLanes && first + lane < asked_.size(); ++lane) {
+      if (arriving[lane] != source.intensity && arriving[lane] != Colour<T>(0)) ++counts_.filtered;
+      light_up(asked_[first + lane], source, arriving[lane]);
     }
   }
 }
 
-// What is left of a light behind the first boundary on the way to it.
+// Most rays meet nothing, or something opaque: only glass needs all boundaries.
 template <typename T>
-Colour<T> Wavefront<T>::arriving_at(const RayCena<T>& ray, const RayStart<T>& start,
-                                    const Boundary<T>& boundary, const PointLight<T>& source) {
-  if (!(boundary.t < 1) || Numeric<T>::same_event(boundary.t, T(1))) return source.intensity;
-  if (!(reflectance_at(model_, boundary, ray.at(boundary.t)).transmission > 0)) return Colour<T>(0);
-  return light_through(model_, packets_.classifier(), ray, start, source);
+void Wavefront<T>::hear_through_glass(const RayPacket<T>& rays, const PointLight<T>& source,
+                                      Colour<T> (&arriving)[kPacketLanes]) {
+  const PacketFirst<T> found = packets_.first(rays);
+  std::uint32_t glass = 0;
+  for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
+    arriving[lane] = source.intensity;
+    if (!(found.hit >> lane & 1u)) continue;
+    const Boundary<T>& boundary = found.boundary[lane];
+    if (!(boundary.t < 1) || Numeric<T>::same_event(boundary.t, T(1))) continue;
+    if (transmission_at(rays, lane, boundary) > 0) glass |= 1u << lane;
+    else arriving[lane] = Colour<T>(0);
+  }
+  if (glass == 0) return;
+  const PacketFilter<T> filters = packets_.filters(rays, glass);
+  for (std::uint32_t left = glass & ~filters.open; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    if (filters.doubtful >> lane & 1u) {
+      arriving[lane] =
+          light_through(model_, packets_.classifier(), rays.ray(lane), rays.start(lane), source);
+      continue;
+    }
+    T passed = 1;
+    for (std::size_t b = 0; b < filters.count[lane] && passed > 0; ++b) {
+      const T kt = transmission_at(rays, lane, filters.boundary[lane][b]);
+      passed = kt > 0 ? passed * kt : T(0);
+    }
+    arriving[lane] = source.intensity * passed;
+  }
+}
+
+template <typename T>
+T Wavefront<T>::transmission_at(const RayPacket<T>& rays, std::size_t lane,
+                                const Boundary<T>& boundary) const {
+  return reflectance_at(model_, boundary, rays.ray(lane).at(boundary.t)).transmission;
 }
 
 template <typename T>
