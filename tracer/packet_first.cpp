@@ -102,20 +102,21 @@ class FirstSearch {
 
 template <typename T>
 HWY_INLINE void find_first(const PacketSolid<T>& solid, const RayPacket<T>& packet,
-                           PacketFirst<T>& found) {
+                           const PartList<T>* list, PacketFirst<T>& found) {
   const ReadyPacket<T> rays(packet, solid.shapes);
   FirstSearch<T> search(solid, rays, packet.farthest);
-  walk(solid, rays, search.reach, search);
+  if (list) walk_list<T>(solid, rays, list->entries(), search.reach, search);
+  else walk(solid, rays, search.reach, search);
   search.finish(rays, found);
 }
 
 void first_floats(const PacketSolid<float>& solid, const RayPacket<float>& rays,
-                  PacketFirst<float>& found) {
-  find_first(solid, rays, found);
+                  const PartList<float>* list, PacketFirst<float>& found) {
+  find_first(solid, rays, list, found);
 }
 void first_doubles(const PacketSolid<double>& solid, const RayPacket<double>& rays,
-                   PacketFirst<double>& found) {
-  find_first(solid, rays, found);
+                   const PartList<double>* list, PacketFirst<double>& found) {
+  find_first(solid, rays, list, found);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -129,17 +130,18 @@ HWY_EXPORT(first_floats);
 HWY_EXPORT(first_doubles);
 
 template <>
-PacketFirst<float> first_boundaries(const PacketSolid<float>& solid, const RayPacket<float>& rays) {
+PacketFirst<float> first_boundaries(const PacketSolid<float>& solid, const RayPacket<float>& rays,
+                                    const PartList<float>* list) {
   PacketFirst<float> found;
-  HWY_DYNAMIC_DISPATCH(first_floats)(solid, rays, found);
+  HWY_DYNAMIC_DISPATCH(first_floats)(solid, rays, list, found);
   return found;
 }
 
 template <>
 PacketFirst<double> first_boundaries(const PacketSolid<double>& solid,
-                                     const RayPacket<double>& rays) {
+                                     const RayPacket<double>& rays, const PartList<double>* list) {
   PacketFirst<double> found;
-  HWY_DYNAMIC_DISPATCH(first_doubles)(solid, rays, found);
+  HWY_DYNAMIC_DISPATCH(first_doubles)(solid, rays, list, found);
   return found;
 }
 

@@ -4,6 +4,7 @@
 
 #include "tracer/packet.h"
 #include "tracer/packet_solid.h"
+#include "tracer/part_list.h"
 
 namespace sir {
 
@@ -26,7 +27,9 @@ struct PacketFirst {
 /// Classifier takes into account besides cannot change the answer.
 ///
 /// The solid must have been built for Formulas::robust. T: float or double.
+/// `list`, if given, must have been gathered for these rays, alone or among others.
 template <typename T>
-PacketFirst<T> first_boundaries(const PacketSolid<T>& solid, const RayPacket<T>& rays);
+PacketFirst<T> first_boundaries(const PacketSolid<T>& solid, const RayPacket<T>& rays,
+                                const PartList<T>* list = nullptr);
 
 }  // namespace sir

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "tracer/packet_kinds-inl.h"
+#include "tracer/part_list.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sir {
@@ -108,6 +109,29 @@ HWY_INLINE void walk(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, co
         if (where.any()) visitor.visit(part, lane, where, enter);
       }
     }
+  }
+}
+
+/// The same over a tile's list.
+template <typename T, typename Visitor>
+HWY_INLINE void walk_list(const PacketSolid<T>& solid, const ReadyPacket<T>& rays,
+                          std::span<const typename PartList<T>::Entry> list, const T* reach,
+                          Visitor& visitor) {
+  using V = Numbers<T>;
+  constexpr std::size_t kStep = hn::MaxLanes(Chunk<T>());
+  if (rays.tame == 0) return;
+  for (const auto& [from, index] : list) {
+    const auto& part = solid.parts[index];
+    bool finished = true;
+    for (std::size_t lane = 0; lane < kPacketLanes; lane += kStep) {
+      const V far = V::load(reach + lane);
+      if (!(far >= V(from)).any()) continue;
+      finished = false;
+      V enter;
+      const Truths<T> where = meets(part.box, rays, lane, far, enter);
+      if (where.any()) visitor.visit(part, lane, where, enter);
+    }
+    if (finished) return;  // the others begin behind this one
   }
 }
 

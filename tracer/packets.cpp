@@ -7,8 +7,8 @@
 namespace sir {
 
 template <typename T>
-PacketFirst<T> Packets<T>::first(const RayPacket<T>& rays) {
-  PacketFirst<T> found = first_boundaries(laid_out_, rays);
+PacketFirst<T> Packets<T>::first(const RayPacket<T>& rays, const PartList<T>* list) {
+  PacketFirst<T> found = first_boundaries(laid_out_, rays, list);
   for (; found.doubtful != 0; found.doubtful &= found.doubtful - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(found.doubtful));
     const bool met = classifier_.first(rays.ray(lane), rays.start(lane), found.boundary[lane],

@@ -15,8 +15,9 @@ class Packets {
   Packets(const Solid<T>& solid, const PacketSolid<T>& laid_out)
       : laid_out_(laid_out), classifier_(solid) {}
 
-  /// Classifier::first() of each ray; none stays doubtful.
-  PacketFirst<T> first(const RayPacket<T>& rays);
+  /// Classifier::first() of each ray; none stays doubtful. `list`: of these rays, or
+  /// null.
+  PacketFirst<T> first(const RayPacket<T>& rays, const PartList<T>* list = nullptr);
 
   /// The lanes that Classifier::blocked() is true for; lights are at t = 1.
   std::uint32_t blocked(const RayPacket<T>& rays, T clearance);

@@ -18,9 +18,6 @@ class PixelTracer {
   /// else is traced plainly.
   PixelTracer(const Model<T>& model, const TraceOptions& options);
 
-  /// Rays that packets like to get together.
-  static constexpr std::size_t kBatch = 256;
-
   /// The bytes of primary rays, as many as there are places in `bytes`. Neighbours
   /// together are faster than strangers.
   void pixels(std::span<const RayCena<T>> primary, std::span<Rgb8> bytes);

@@ -1,6 +1,7 @@
 // Rays that go together, packet after packet.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tracer/packet.h"
@@ -14,6 +15,7 @@ class RayStream {
   std::size_t size() const { return size_; }
   std::size_t packets() const { return (size_ + kPacketLanes - 1) / kPacketLanes; }
   const RayPacket<T>& packet(std::size_t p) const { return packets_[p]; }
+  std::span<const RayPacket<T>> all() const { return std::span(packets_).first(packets()); }
 
   void clear() { size_ = 0; }
   void push(const RayCena<T>& ray, const RayStart<T>& start = {},

@@ -14,18 +14,20 @@
 namespace sir {
 namespace {
 
+// Pixels along the sides of a packet and of what is traced in one go.
+constexpr int kPacketSide = 4, kBatchSide = 16;
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// A tile's pixels in squares, which packets' rays are to be neighbours in.
+// The squares of `side` that a region falls into; those on its edge are smaller.
 template <typename Visit>
-void for_each_block(const Region& tile, Visit&& visit) {
-  constexpr int kSide = 4;
-  for (int y = 0; y < tile.height; y += kSide)
-    for (int x = 0; x < tile.width; x += kSide)
-      visit(Region{tile.x + x, tile.y + y, std::min(kSide, tile.width - x),
-                   std::min(kSide, tile.height - y)});
+void for_each_square(const Region& region, int side, Visit&& visit) {
+  for (int y = 0; y < region.height; y += side)
+    for (int x = 0; x < region.width; x += side)
+      visit(Region{region.x + x, region.y + y, std::min(side, region.width - x),
+                   std::min(side, region.height - y)});
 }
 
 template <typename T>
@@ -67,25 +69,24 @@ RenderResult render_model(const Model<T>& model, const RenderOptions& options,
     return [&, tracer = tracers.back(), rays = std::vector<RayCena<T>>(),
             places = std::vector<std::size_t>(),
             bytes = std::vector<Rgb8>()](const Region& tile) mutable {
-      const auto trace_batch = [&] {
+      // Squares of squares, so that packets' rays are neighbours and batches too.
+      for_each_square(tile, kBatchSide, [&](const Region& batch) {
+        if (stop.stop_requested()) return;
+        rays.clear();
+        places.clear();
+        for_each_square(batch, kPacketSide, [&](const Region& block) {
+          for (int y = block.y; y < block.y + block.height; ++y)
+            for (int x = block.x; x < block.x + block.width; ++x) {
+              rays.push_back(model.camera.primary_ray(region.x + x, region.y + y, options.size));
+              places.push_back(static_cast<std::size_t>(y) *
+                                   static_cast<std::size_t>(region.width) +
+                               static_cast<std::size_t>(x));
+            }
+        });
         bytes.resize(rays.size());
         tracer->pixels(rays, bytes);
         for (std::size_t p = 0; p < bytes.size(); ++p) planes.set(places[p], bytes[p]);
-        rays.clear();
-        places.clear();
-      };
-      const auto add = [&](int x, int y) {
-        rays.push_back(model.camera.primary_ray(region.x + x, region.y + y, options.size));
-        places.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(region.width) +
-                         static_cast<std::size_t>(x));
-      };
-      for_each_block(tile, [&](const Region& block) {
-        if (stop.stop_requested()) return;
-        for (int y = block.y; y < block.y + block.height; ++y)
-          for (int x = block.x; x < block.x + block.width; ++x) add(x, y);
-        if (rays.size() >= PixelTracer<T>::kBatch) trace_batch();
       });
-      if (!stop.stop_requested()) trace_batch();
     };
   };
   result.complete = for_each_tile(planes.size, options.threads, make_worker, progress, stop);

@@ -78,10 +78,10 @@ void Wavefront<T>::find_points(int depth) {
   hits_.resize(std::max(hits_.size(), rays_.packets()));
   through_.resize(hits_.size());
   hit_lanes_.clear();
-  Colour<T> most(0);
+  const bool listed = depth == 1 && list_.gather(*model_.laid_out, rays_.all());
   for (std::size_t p = 0; p < rays_.packets(); ++p) {
     const RayPacket<T>& rays = rays_.packet(p);
-    const PacketFirst<T> found = packets_.first(rays);
+    const PacketFirst<T> found = packets_.first(rays, listed ? &list_ : nullptr);
     hit_lanes_.push_back(found.hit);
     for (std::uint32_t left = found.missed; left != 0; left &= left - 1)
       miss(senders_[kPacketLanes * p + static_cast<std::size_t>(std::countr_zero(left))]);

@@ -92,6 +92,7 @@ class Wavefront {
   bool sparing_;  // ledgers are kept
   RayCounts counts_;
   RayStream<T> rays_, next_, shadow_;
+  PartList<T> list_;                            // of the primary rays
   std::vector<Sender> senders_, next_senders_;  // of the rays, in their order
   std::vector<PacketHits<T>> hits_;
   std::vector<std::uint32_t> hit_lanes_;  // of hits_
