@@ -18,7 +18,7 @@ using Colour = glm::vec<3, T>;
 template <typename T>
 std::uint8_t to_byte(T intensity) {
   const T clamped = intensity > 0 ? std::min(intensity, T(1)) : T(0);
-  return static_cast<std::uint8_t>(std::floor(255 * clamped + T(0.5)));
+  return static_cast<std::uint8_t>(255 * clamped + T(0.5));  // a floor: it is not negative
 }
 
 template <typename T>

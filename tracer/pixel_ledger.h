@@ -10,6 +10,27 @@
 
 namespace sir {
 
+/// Whether a level or more is to come to a channel that is not full: so it nearly
+/// always is, and then the bytes are not known.
+template <typename T>
+bool level_to_come(const Colour<T>& come, const Colour<T>& awaited) {
+  constexpr T kLevel = T(1) / 255;
+  return (awaited.r > kLevel && come.r < 1) || (awaited.g > kLevel && come.g < 1) ||
+         (awaited.b > kLevel && come.b < 1);
+}
+
+/// Whether all intensities from `come` to `come + awaited` give the same bytes, and
+/// those beyond by `slack`.
+template <typename T>
+bool bytes_are_known(const Colour<T>& come, const Colour<T>& awaited, T slack) {
+  if (level_to_come(come, awaited)) return false;
+  for (int channel = 0; channel < 3; ++channel) {
+    const T least = come[channel] - slack, most = come[channel] + awaited[channel] + slack;
+    if (!(to_byte(least) == to_byte(most)) || !(most >= least)) return false;
+  }
+  return true;
+}
+
 /// Keeps two sums of intensities, channel by channel: what has come, and the
 /// most that may still come. All contributions are 0 or more, so the pixel's
 /// true intensity lies between the first and both together. The roundings of the
@@ -45,20 +66,12 @@ class PixelLedger {
 
   /// Whether the bytes are the same whatever still comes.
   bool decided() const {
-    // Nearly always more than a level is to come: that is seen at once.
-    constexpr T kLevel = T(1) / 255;
-    if (!sparing_ || (awaited_.r > kLevel && come_.r < 1) || (awaited_.g > kLevel && come_.g < 1) ||
-        (awaited_.b > kLevel && come_.b < 1))
-      return false;
+    if (!sparing_ || level_to_come(come_, awaited_)) return false;
     // Each entry rounds two sums here, and four times at most on its way to the
     // pixel; entries_ counts the terms that are still to be summed as well. No
     // sum was ever larger than all entries together.
     const T slack = 8 * (entries_ + 8) * std::numeric_limits<T>::epsilon() * largest_;
-    for (int channel = 0; channel < 3; ++channel) {
-      const T least = come_[channel] - slack, most = come_[channel] + awaited_[channel] + slack;
-      if (!(to_byte(least) == to_byte(most)) || !(most >= least)) return false;
-    }
-    return true;
+    return bytes_are_known(come_, awaited_, slack);
   }
 
  private:

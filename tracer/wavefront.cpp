@@ -41,12 +41,11 @@ void Wavefront<T>::pixels(std::span<const RayCena<T>> primary, std::span<Rgb8> b
   rays_.clear();
   senders_.clear();
   nodes_.clear();
-  if (sparing_) ledgers_.resize(count);
+  if (sparing_) come_.assign(count, Colour<T>(0));
   colours_.assign(count, model_.background);
   for (std::uint32_t p = 0; p < count; ++p) {
-    if (sparing_) ledgers_[p].open(true);
     rays_.push(primary[p]);
-    senders_.push_back({Colour<T>(0), T(0), T(1), kNone, p, false});
+    senders_.push_back({T(0), T(1), kNone, p, false});
   }
   counts_.primary += count;
   for (int depth = 1; rays_.size() > 0; ++depth) {
@@ -55,7 +54,7 @@ void Wavefront<T>::pixels(std::span<const RayCena<T>> primary, std::span<Rgb8> b
       break;
     }
     find_points(depth);
-    for (const PointLight<T>& source : model_.lights) ask_light(source);
+    for (const PointLight<T>& source : model_.lights) ask_light(source, depth);
     next_.clear();
     next_senders_.clear();
     branch(depth);
@@ -90,15 +89,11 @@ void Wavefront<T>::find_points(int depth) {
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     if (const std::uint32_t asking = add_nodes(p, found); asking != 0) refract(p, asking, node);
   }
-  if (!sparing_) return;
-  for_each_hit([&](std::uint32_t node, std::size_t p, std::size_t lane) {
-    enter_in_ledger(node, senders_[kPacketLanes * p + lane].most, depth);
-  });
 }
 
 template <typename T>
 void Wavefront<T>::miss(const Sender& sender) {
-  if (sparing_) ledgers_[sender.pixel].settle(sender.most, sender.path_weight * model_.background);
+  come_to(sender.pixel, sender.path_weight * model_.background);
   deliver(sender.parent, sender.pixel, sender.mirror, model_.background);
 }
 
@@ -119,6 +114,7 @@ std::uint32_t Wavefront<T>::add_nodes(std::size_t p, const PacketFirst<T>& found
                       made.through_weight, sender.parent, sender.pixel, sender.mirror});
     details_.push_back({&k, sender.path_weight, made.index, made.index_beyond, boundary.leaf,
                         boundary.leaf_entering, false});
+    come_to(sender.pixel, sender.path_weight * nodes_.back().own);
   }
   return asking;
 }
@@ -137,7 +133,7 @@ void Wavefront<T>::refract(std::size_t p, std::uint32_t asking, std::uint32_t no
   for (std::uint32_t left = hit_lanes_[p]; left != 0; left &= left - 1, ++at) {
     const std::uint32_t bit = left & -left;
     if (!(asking & bit)) continue;
-    detail(at).has_through = (bent & bit) != 0;
+    details_[at - first_].has_through = (bent & bit) != 0;
     if (bent & bit) continue;
     nodes_[at].mirror_weight += nodes_[at].through_weight;
     nodes_[at].through_weight = 0;
@@ -145,41 +141,9 @@ void Wavefront<T>::refract(std::size_t p, std::uint32_t asking, std::uint32_t no
 }
 
 template <typename T>
-void Wavefront<T>::enter_in_ledger(std::uint32_t node, const Colour<T>& most, int depth) {
-  const Detail& detail = this->detail(node);
-  Colour<T> lights(0);
-  for (const PointLight<T>& source : model_.lights) lights += most_of(*detail.reflectance, source);
-  PixelLedger<T>& ledger = ledgers_[nodes_[node].pixel];
-  ledger.expect(most_of_branch(node, true, depth) + most_of_branch(node, false, depth) +
-                    detail.path_weight * lights,
-                static_cast<T>(model_.lights.size() + 1));
-  ledger.settle(most, detail.path_weight * nodes_[node].own);
-}
-
-template <typename T>
-RayStart<T> Wavefront<T>::leaving(std::uint32_t node, T error, bool through) {
+RayStart<T> Wavefront<T>::leaving(std::uint32_t node, T error, bool through) const {
   const Detail& detail = this->detail(node);
   return {detail.leaf, detail.leaf_entering == through, error};
-}
-
-template <typename T>
-bool Wavefront<T>::wanted(std::uint32_t node, T weight) {
-  if (!(weight > 0)) return model_.effects.exhaustive;
-  return detail(node).path_weight * weight >= static_cast<T>(options_.cutoff);
-}
-
-// The most that the pixel may get from the mirrored or the refracted ray.
-template <typename T>
-Colour<T> Wavefront<T>::most_of_branch(std::uint32_t node, bool mirror, int depth) {
-  const T weight = mirror ? nodes_[node].mirror_weight : nodes_[node].through_weight;
-  if (!(weight > 0)) return Colour<T>(0);
-  const T path_weight = detail(node).path_weight;
-  if (depth >= options_.depth_limit) {
-    if (options_.past_limit == PastLimit::zero) return Colour<T>(0);
-    return path_weight * weight * model_.background;
-  }
-  if (!wanted(node, weight)) return Colour<T>(0);
-  return path_weight * weight * bound_.at(depth + 1);
 }
 
 template <typename T>
@@ -192,9 +156,12 @@ void Wavefront<T>::branch(int depth) {
     if (p != last && depth < options_.depth_limit)
       find_mirrored(hits_[p], hit_lanes_[p], mirrored.component);
     last = p;
+    const Node& from = nodes_[node];
     const PointCena<T> point = hits_[p].point_of(lane);
-    branch_off(node, true, depth, {point, mirrored.of(lane)}, hits_[p].error[lane]);
-    branch_off(node, false, depth, {point, through_[p].of(lane)}, hits_[p].error[lane]);
+    if (from.mirror_weight > 0 || effects.exhaustive)
+      branch_off(node, true, depth, {point, mirrored.of(lane)}, hits_[p].error[lane]);
+    if (from.through_weight > 0 || effects.exhaustive)
+      branch_off(node, false, depth, {point, through_[p].of(lane)}, hits_[p].error[lane]);
   });
 }
 
@@ -211,15 +178,14 @@ void Wavefront<T>::branch_off(std::uint32_t index, bool mirror, int depth, const
   }
   const bool allowed = mirror ? model_.effects.reflection || weight > 0 : detail.has_through;
   if (!allowed || !wanted(index, weight)) return;
-  if (sparing_ && ledgers_[node.pixel].decided()) {
+  if (sparing_ && spares(index, most_of_branch(index, mirror, depth), nullptr, depth)) {
     ++counts_.spared;
     return;
   }
   ++(mirror ? counts_.reflected : counts_.refracted);
   next_.push(ray, leaving(index, error, !mirror));
-  const Colour<T> most = sparing_ ? most_of_branch(index, mirror, depth) : Colour<T>(0);
-  next_senders_.push_back({most, mirror ? detail.index : detail.index_beyond,
-                           detail.path_weight * weight, index, node.pixel, mirror});
+  next_senders_.push_back({mirror ? detail.index : detail.index_beyond, detail.path_weight * weight,
+                           index, node.pixel, mirror});
 }
 
 // What lies deeper is followed ray by ray, in memory that does not grow.

@@ -32,10 +32,9 @@ class Wavefront {
 
   // What a ray is sent for.
   struct Sender {
-    Colour<T> most;  // what the ledger expects of it
-    T index;         // of its medium; 0: not known
+    T index;  // of its medium; 0: not known
     T path_weight;
-    std::uint32_t parent, pixel;  // index into nodes_, or kNone; into ledgers_
+    std::uint32_t parent, pixel;  // index into nodes_, or kNone; into colours_
     bool mirror;                  // of its parent's two
   };
   // A point that is seen, until all that it sends on has come back.
@@ -61,35 +60,38 @@ class Wavefront {
   // hits_ and their lanes.
   template <typename Visit>
   void for_each_hit(Visit&& visit);  // visit(node, packet, lane)
-  Detail& detail(std::uint32_t node) { return details_[node - first_]; }
-  RayStart<T> leaving(std::uint32_t node, T error, bool through);
+  const Detail& detail(std::uint32_t node) const { return details_[node - first_]; }
+  RayStart<T> leaving(std::uint32_t node, T error, bool through) const;
 
   void find_points(int depth);
   void miss(const Sender& sender);
   std::uint32_t add_nodes(std::size_t p, const PacketFirst<T>& found);
   void refract(std::size_t p, std::uint32_t asking, std::uint32_t node);
-  void enter_in_ledger(std::uint32_t node, const Colour<T>& most, int depth);
-  void ask_light(const PointLight<T>& source);
+  void come_to(std::uint32_t pixel, const Colour<T>& colour);
+  bool spares(std::uint32_t node, const Colour<T>& most, const PointLight<T>* from, int depth);
+  bool decided(std::uint32_t node, const PointLight<T>* from, int depth);
+  T slack(int depth) const;
+  void ask_light(const PointLight<T>& source, int depth);
   void ask(std::uint32_t node, const PointLight<T>& source, const PacketHits<T>& hits,
-           const PacketIncidence<T>& incidence, std::size_t lane);
+           const PacketIncidence<T>& incidence, std::size_t lane, int depth);
   void hear_light(const PointLight<T>& source);
   void hear_through_glass(const RayPacket<T>& rays, const PointLight<T>& source,
                           Colour<T> (&arriving)[kPacketLanes]);
   T transmission_at(const RayPacket<T>& rays, std::size_t lane, const Boundary<T>& boundary) const;
-  void light_up(const Asked& asked, const PointLight<T>& source, const Colour<T>& arriving);
+  void light_up(const Asked& asked, const Colour<T>& arriving);
   void branch(int depth);
   void branch_off(std::uint32_t node, bool mirror, int depth, const RayCena<T>& ray, T error);
   void finish_deep(int depth);
   void deliver(std::uint32_t parent, std::uint32_t pixel, bool mirror, const Colour<T>& colour);
-  Colour<T> most_of_branch(std::uint32_t node, bool mirror, int depth);
-  bool wanted(std::uint32_t node, T weight);
+  Colour<T> most_of_branch(std::uint32_t node, bool mirror, int depth) const;
+  bool wanted(std::uint32_t node, T weight) const;
 
   const Model<T>& model_;
   TraceOptions options_;
   Packets<T> packets_;
   Tracer<T> deep_;  // beyond kBreadth
   RadianceBound<T> bound_;
-  bool sparing_;  // ledgers are kept
+  bool sparing_;  // rays that cannot change a byte are not cast
   RayCounts counts_;
   RayStream<T> rays_, next_, shadow_;
   PartList<T> list_;                            // of the primary rays
@@ -99,9 +101,9 @@ class Wavefront {
   std::vector<Node> nodes_;               // of all depths, in order
   std::uint32_t first_ = 0;
   std::vector<Detail> details_;
-  std::vector<Asked> asked_;  // for each shadow ray
-  std::vector<PixelLedger<T>> ledgers_;
-  std::vector<Colour<T>> colours_;  // of the pixels
+  std::vector<Asked> asked_;        // for each shadow ray
+  std::vector<Colour<T>> colours_;  // of the pixels, when all is done
+  std::vector<Colour<T>> come_;     // what has come to them so far, if sparing_
   struct Directions {
     alignas(64) T component[3][kPacketLanes];
     VectorCena<T> of(std::size_t lane) const {

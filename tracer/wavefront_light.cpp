@@ -6,7 +6,7 @@
 namespace sir {
 
 template <typename T>
-void Wavefront<T>::ask_light(const PointLight<T>& source) {
+void Wavefront<T>::ask_light(const PointLight<T>& source, int depth) {
   asked_.clear();
   shadow_.clear();
   PacketIncidence<T> incidence;
@@ -15,7 +15,7 @@ void Wavefront<T>::ask_light(const PointLight<T>& source) {
     if (p != last)
       find_incidence(hits_[p], hit_lanes_[p], source.position, model_.effects.highlight, incidence);
     last = p;
-    ask(node, source, hits_[p], incidence, lane);
+    ask(node, source, hits_[p], incidence, lane, depth);
   });
   counts_.shadow += asked_.size();
   hear_light(source);
@@ -23,21 +23,18 @@ void Wavefront<T>::ask_light(const PointLight<T>& source) {
 
 template <typename T>
 void Wavefront<T>::ask(std::uint32_t node, const PointLight<T>& source, const PacketHits<T>& hits,
-                       const PacketIncidence<T>& incidence, std::size_t lane) {
+                       const PacketIncidence<T>& incidence, std::size_t lane, int depth) {
   const EffectSet& effects = model_.effects;
   const Detail& detail = this->detail(node);
   const Colour<T> most = most_of(*detail.reflectance, source);
   const T cosine = incidence.cosine[lane];
   const bool asked =
       effects.exhaustive ? incidence.distance[lane] > 0 : cosine > 0 && most != Colour<T>(0);
-  if (!asked) {
-    if (sparing_) ledgers_[nodes_[node].pixel].settle(detail.path_weight * most, Colour<T>(0));
-    return;
-  }
+  if (!asked) return;
   const Asked question{node, cosine, incidence.gleam[lane]};
   if (!effects.shadow) {
-    light_up(question, source, source.intensity);
-  } else if (sparing_ && ledgers_[nodes_[node].pixel].decided()) {
+    light_up(question, source.intensity);
+  } else if (sparing_ && spares(node, detail.path_weight * most, &source, depth)) {
     ++counts_.spared;
   } else {
     asked_.push_back(question);
@@ -62,7 +59,7 @@ void Wavefront<T>::hear_light(const PointLight<T>& source) {
     const std::size_t first = kPacketLanes * p;
     for (std::size_t lane = 0; lane < kPacketLanes && first + lane < asked_.size(); ++lane) {
       if (arriving[lane] != source.intensity && arriving[lane] != Colour<T>(0)) ++counts_.filtered;
-      light_up(asked_[first + lane], source, arriving[lane]);
+      light_up(asked_[first + lane], arriving[lane]);
     }
   }
 }
@@ -106,21 +103,17 @@ T Wavefront<T>::transmission_at(const RayPacket<T>& rays, std::size_t lane,
 }
 
 template <typename T>
-void Wavefront<T>::light_up(const Asked& asked, const PointLight<T>& source,
-                            const Colour<T>& arriving) {
+void Wavefront<T>::light_up(const Asked& asked, const Colour<T>& arriving) {
   Node& node = nodes_[asked.node];
   const Detail& detail = this->detail(asked.node);
-  Colour<T> came(0);
-  if (asked.cosine > 0 && arriving != Colour<T>(0)) {
-    came = arriving * sent_back(model_.effects, *detail.reflectance, asked.cosine, asked.gleam);
-    node.own += came;
-  }
-  if (sparing_)
-    ledgers_[node.pixel].settle(detail.path_weight * most_of(*detail.reflectance, source),
-                                detail.path_weight * came);
+  if (!(asked.cosine > 0) || arriving == Colour<T>(0)) return;
+  const Colour<T> came =
+      arriving * sent_back(model_.effects, *detail.reflectance, asked.cosine, asked.gleam);
+  node.own += came;
+  come_to(node.pixel, detail.path_weight * came);
 }
 
-template void Wavefront<float>::ask_light(const PointLight<float>&);
-template void Wavefront<double>::ask_light(const PointLight<double>&);
+template void Wavefront<float>::ask_light(const PointLight<float>&, int);
+template void Wavefront<double>::ask_light(const PointLight<double>&, int);
 
 }  // namespace sir
