@@ -46,7 +46,7 @@ void run(const char* name, const Scene& given, Precision precision, int frames) 
   RenderOptions options;
   options.size = kSize;
   options.precision = precision;
-  const Scene scene = recentred(given, offset_for(given, precision));
+  const Scene scene = Recentred(given, offset_for(given, precision));
   Model<T> model(scene, options.trace.possible_effects());
   const double prepare =
       milliseconds([&] { (void)Model<T>(scene, options.trace.possible_effects()); });

@@ -1,8 +1,8 @@
 #include "tests/packet_scenes.h"
 
-#include <cmath>
+#include "tracer/packet_target.h"
 
-#include <hwy/highway.h>
+#include <cmath>
 
 namespace sir::test {
 
@@ -35,16 +35,12 @@ Scene union_of_parts(std::uint64_t seed, int parts, double size, bool aligned) {
 }
 
 void with_each_instruction_set(const std::function<void(const char* name)>& run) {
-  const auto choose = [](std::int64_t targets) {
-    hwy::SetSupportedTargetsForTest(targets);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  };
-  choose(0);
-  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
-    choose(target);
+  for (std::int64_t rest = instruction_sets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
+    const std::int64_t target = rest & -rest;
+    packet_target().Update(target);
     run(hwy::TargetName(target));
   }
-  choose(0);
+  packet_target().Update(instruction_sets());
 }
 
 }  // namespace sir::test

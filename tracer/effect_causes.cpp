@@ -68,9 +68,9 @@ EffectCauses effect_causes(const Scene& scene) {
   for (std::size_t i = 0; i < scene.tree.nodes.size(); ++i) {
     const CsgNode& node = scene.tree.nodes[i];
     if (!reached[i] || node.composite) continue;
-    Traits traits;
-    for (std::size_t face = 0; face < static_cast<std::size_t>(face_count(node.kind)); ++face)
-      traits |= of_surface[node.surfaces[face]];
+    Traits traits = of_surface[node.surfaces[0]];
+    for (std::size_t face = 1; face < static_cast<std::size_t>(face_count(node.kind)); ++face)
+      if (node.surfaces[face] != node.surfaces[0]) traits |= of_surface[node.surfaces[face]];
     if (traits.shines) causes.reflection.nodes.push_back(i);
     if (traits.transmits) causes.refraction.nodes.push_back(i);
     if (traits.textured) causes.texture.nodes.push_back(i);

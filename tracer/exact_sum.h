@@ -59,7 +59,7 @@ class ExactSum {
 
  private:
   static constexpr std::size_t kParts = 32;
-  std::array<double, kParts> part_{};
+  std::array<double, kParts> part_;  // the first size_ are set
   std::size_t size_ = 0;
 };
 

@@ -27,7 +27,7 @@ struct Sight {
   Camera<T> camera;
 
   Sight(const Scene& scene, Precision precision)
-      : Sight(recentred(scene, offset_for(scene, precision))) {}
+      : Sight(Recentred(scene, offset_for(scene, precision))) {}
   explicit Sight(const Scene& scene) : solid(build_solid<T>(scene)), camera(scene.camera) {}
 };
 

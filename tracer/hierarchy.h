@@ -115,6 +115,12 @@ class Hierarchy {
   /// axis, until a visit returns true.
   template <typename Visit>
   void for_each_near(const Bounds<T>& box, T gap, Visit&& visit) const {
+    for_each_box_near(box, gap, [&](std::size_t place) { return visit(order_[place]); });
+  }
+
+  /// The same with the box's place in boxes() and order().
+  template <typename Visit>
+  void for_each_box_near(const Bounds<T>& box, T gap, Visit&& visit) const {
     if (nodes_.empty()) return;
     std::array<std::uint32_t, kMaxDepth> open;
     std::size_t count = 0;
@@ -128,7 +134,7 @@ class Hierarchy {
         continue;
       }
       for (std::uint32_t i = node.first; i < node.first + node.size; ++i)
-        if (boxes_[i].near(box, gap) && visit(order_[i])) return;
+        if (boxes_[i].near(box, gap) && visit(i)) return;
     }
   }
 

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 
@@ -112,6 +114,15 @@ glm::vec<3, T> scaled_near_one(const glm::vec<3, T>& v);
 /// tiny solid is not taken for a flat one. Entries must be finite.
 bool is_singular(const glm::dmat3& m);
 
+/// v times 2^exponent: std::ldexp(), where a product does the same faster.
+template <typename T>
+T times_power_of_two(T v, int exponent) {
+  if constexpr (std::is_same_v<T, double>)
+    if (exponent >= -1022 && exponent <= 1023)
+      return v * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+  return std::ldexp(v, exponent);
+}
+
 /// The inverse of a 3x3 matrix, row by row as numerators over a divisor. Of the
 /// many ways to write it, one whose products stay exact as long as can be:
 /// cofactors over the determinant, but where these do not fit into T an
@@ -130,5 +141,8 @@ using Inverse = InverseIn<double>;
 /// where the matrix is singular or its inverse does not fit. T: double or wider.
 template <typename T>
 bool invert(const glm::dmat3& m, InverseIn<T>& inverse);
+
+/// Whether invert() will do in double.
+bool is_invertible(const glm::dmat3& m);
 
 }  // namespace sir

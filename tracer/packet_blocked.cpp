@@ -178,16 +178,15 @@ void blocked_doubles(const PacketSolid<double>& solid, const RayPacket<double>& 
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace sir {
+#include "tracer/packet_target.h"
 
-HWY_EXPORT(blocked_floats);
-HWY_EXPORT(blocked_doubles);
+namespace sir {
 
 template <>
 PacketBlocked find_blocked(const PacketSolid<float>& solid, const RayPacket<float>& rays,
                            float clearance) {
   PacketBlocked found;
-  HWY_DYNAMIC_DISPATCH(blocked_floats)(solid, rays, clearance, found);
+  SIR_DISPATCH(blocked_floats)(solid, rays, clearance, found);
   return found;
 }
 
@@ -195,7 +194,7 @@ template <>
 PacketBlocked find_blocked(const PacketSolid<double>& solid, const RayPacket<double>& rays,
                            double clearance) {
   PacketBlocked found;
-  HWY_DYNAMIC_DISPATCH(blocked_doubles)(solid, rays, clearance, found);
+  SIR_DISPATCH(blocked_doubles)(solid, rays, clearance, found);
   return found;
 }
 

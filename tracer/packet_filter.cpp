@@ -195,22 +195,21 @@ void filter_doubles(const PacketSolid<double>& solid, const RayPacket<double>& r
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace sir {
+#include "tracer/packet_target.h"
 
-HWY_EXPORT(filter_floats);
-HWY_EXPORT(filter_doubles);
+namespace sir {
 
 template <>
 PacketFilter<float> find_filters(const PacketSolid<float>& solid, const RayPacket<float>& rays) {
   PacketFilter<float> found;
-  HWY_DYNAMIC_DISPATCH(filter_floats)(solid, rays, found);
+  SIR_DISPATCH(filter_floats)(solid, rays, found);
   return found;
 }
 
 template <>
 PacketFilter<double> find_filters(const PacketSolid<double>& solid, const RayPacket<double>& rays) {
   PacketFilter<double> found;
-  HWY_DYNAMIC_DISPATCH(filter_doubles)(solid, rays, found);
+  SIR_DISPATCH(filter_doubles)(solid, rays, found);
   return found;
 }
 

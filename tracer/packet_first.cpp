@@ -124,16 +124,15 @@ void first_doubles(const PacketSolid<double>& solid, const RayPacket<double>& ra
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace sir {
+#include "tracer/packet_target.h"
 
-HWY_EXPORT(first_floats);
-HWY_EXPORT(first_doubles);
+namespace sir {
 
 template <>
 PacketFirst<float> first_boundaries(const PacketSolid<float>& solid, const RayPacket<float>& rays,
                                     const PartList<float>* list) {
   PacketFirst<float> found;
-  HWY_DYNAMIC_DISPATCH(first_floats)(solid, rays, list, found);
+  SIR_DISPATCH(first_floats)(solid, rays, list, found);
   return found;
 }
 
@@ -141,7 +140,7 @@ template <>
 PacketFirst<double> first_boundaries(const PacketSolid<double>& solid,
                                      const RayPacket<double>& rays, const PartList<double>* list) {
   PacketFirst<double> found;
-  HWY_DYNAMIC_DISPATCH(first_doubles)(solid, rays, list, found);
+  SIR_DISPATCH(first_doubles)(solid, rays, list, found);
   return found;
 }
 

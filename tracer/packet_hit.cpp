@@ -319,37 +319,35 @@ SIR_LANES(double, doubles)
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "tracer/packet_target.h"
+
 namespace sir {
 
-#define SIR_DISPATCH(T, suffix)                                                           \
-  HWY_EXPORT(hits_##suffix);                                                              \
-  HWY_EXPORT(incidence_##suffix);                                                         \
-  HWY_EXPORT(mirrored_##suffix);                                                          \
-  HWY_EXPORT(refracted_##suffix);                                                         \
+#define SIR_LANES_OF(T, suffix)                                                           \
   template <>                                                                             \
   void find_hits(const Model<T>& model, const RayPacket<T>& rays, std::uint32_t where,    \
                  const Boundary<T>(&boundaries)[kPacketLanes], PacketHits<T>& hits) {     \
-    HWY_DYNAMIC_DISPATCH(hits_##suffix)(model, rays, where, boundaries, hits);            \
+    SIR_DISPATCH(hits_##suffix)(model, rays, where, boundaries, hits);                    \
   }                                                                                       \
   template <>                                                                             \
   void find_incidence(const PacketHits<T>& hits, std::uint32_t where, PointCena<T> light, \
                       bool with_gleam, PacketIncidence<T>& incidence) {                   \
-    HWY_DYNAMIC_DISPATCH(incidence_##suffix)(hits, where, light, with_gleam, incidence);  \
+    SIR_DISPATCH(incidence_##suffix)(hits, where, light, with_gleam, incidence);          \
   }                                                                                       \
   template <>                                                                             \
   void find_mirrored(const PacketHits<T>& hits, std::uint32_t where,                      \
                      T(&mirrored)[3][kPacketLanes]) {                                     \
-    HWY_DYNAMIC_DISPATCH(mirrored_##suffix)(hits, where, mirrored);                       \
+    SIR_DISPATCH(mirrored_##suffix)(hits, where, mirrored);                               \
   }                                                                                       \
   template <>                                                                             \
   std::uint32_t find_refracted(const PacketHits<T>& hits, std::uint32_t where,            \
                                const T(&n1)[kPacketLanes], const T(&n2)[kPacketLanes],    \
                                T(&refracted)[3][kPacketLanes]) {                          \
-    return HWY_DYNAMIC_DISPATCH(refracted_##suffix)(hits, where, n1, n2, refracted);      \
+    return SIR_DISPATCH(refracted_##suffix)(hits, where, n1, n2, refracted);              \
   }
-SIR_DISPATCH(float, floats)
-SIR_DISPATCH(double, doubles)
-#undef SIR_DISPATCH
+SIR_LANES_OF(float, floats)
+SIR_LANES_OF(double, doubles)
+#undef SIR_LANES_OF
 
 }  // namespace sir
 #endif

@@ -51,15 +51,14 @@ void intersect_doubles(const PacketLeaf<double>& leaf, const RayPacket<double>& 
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace sir {
+#include "tracer/packet_target.h"
 
-HWY_EXPORT(intersect_floats);
-HWY_EXPORT(intersect_doubles);
+namespace sir {
 
 template <>
 PacketSpans<float> intersect_packet(const PacketLeaf<float>& leaf, const RayPacket<float>& rays) {
   PacketSpans<float> found;
-  HWY_DYNAMIC_DISPATCH(intersect_floats)(leaf, rays, found);
+  SIR_DISPATCH(intersect_floats)(leaf, rays, found);
   return found;
 }
 
@@ -67,7 +66,7 @@ template <>
 PacketSpans<double> intersect_packet(const PacketLeaf<double>& leaf,
                                      const RayPacket<double>& rays) {
   PacketSpans<double> found;
-  HWY_DYNAMIC_DISPATCH(intersect_doubles)(leaf, rays, found);
+  SIR_DISPATCH(intersect_doubles)(leaf, rays, found);
   return found;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tracer/large_pages.h"
+
 namespace sir {
 namespace {
 
@@ -49,9 +51,13 @@ PacketSolid<T>::PacketSolid(const Solid<T>& solid)
     : chain(2 * Numeric<T>::kCoincidentUlps * Numeric<T>::kEpsilon *
             static_cast<T>(2 * std::size_t(solid.products.crowd) + 2)),
       gap(solid.products.gap) {
-  for (const Leaf<T>& leaf : solid.leaves) shapes.push_back(leaf.shape);
   const Products<T>& products = solid.products;
   const auto from = products.hierarchy.nodes();
+  shapes.reserve(solid.leaves.size());
+  nodes.reserve(from.size());
+  parts.reserve(products.list.size());
+  reserve_all(leaves, products.leaves.size());
+  for (const Leaf<T>& leaf : solid.leaves) shapes.push_back(leaf.shape);
   for (const auto& node : from) {
     nodes.push_back({packet_box(node.bounds), node.first, node.size});
     if (node.size > 0) continue;

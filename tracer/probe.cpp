@@ -13,7 +13,7 @@ class ProberIn : public Prober {
  public:
   ProberIn(const Scene& scene, const glm::dvec3& offset, Engine engine)
       : offset_(offset),
-        solid_(build_solid<T>(recentred(scene, offset))),
+        solid_(build_solid<T>(Recentred(scene, offset))),
         classifier_(solid_, engine) {
     for (const Surface& surface : scene.surfaces) surface_numbers_.push_back(surface.number);
   }

@@ -31,13 +31,32 @@ Bounds<T> everything() {
 // How many boxes may come as near as `gap` to one point: were there k, then each of
 // these k would have k near it, itself included.
 template <typename T>
-std::uint32_t crowd_of(const Hierarchy<T>& hierarchy, std::span<const Bounds<T>> boxes, T gap) {
+std::uint32_t crowd_of(const Hierarchy<T>& hierarchy, T gap) {
   constexpr std::uint32_t kMost = 64;
   std::vector<std::uint32_t> having(kMost + 1);  // boxes with so many near them, or more
-  for (const Bounds<T>& box : boxes) {
-    std::uint32_t count = 0;
-    hierarchy.for_each_near(box, 2 * gap, [&](std::uint32_t) { return ++count == kMost; });
-    ++having[count];
+  // Neighbours in the hierarchy's order have about the same boxes near them: these are
+  // looked for once for a group, unless they are too many.
+  constexpr std::size_t kGroup = 8, kGathered = 8 * kMost;
+  const auto boxes = hierarchy.boxes();
+  std::vector<Bounds<T>> gathered;
+  for (std::size_t first = 0; first < boxes.size(); first += kGroup) {
+    const auto group = boxes.subspan(first, std::min(kGroup, boxes.size() - first));
+    Bounds<T> all;
+    for (const Bounds<T>& box : group) all.include(box);
+    gathered.clear();
+    hierarchy.for_each_box_near(all, 2 * gap, [&](std::size_t place) {
+      gathered.push_back(boxes[place]);
+      return gathered.size() > kGathered;
+    });
+    for (const Bounds<T>& box : group) {
+      std::uint32_t count = 0;
+      if (gathered.size() > kGathered) {
+        hierarchy.for_each_near(box, 2 * gap, [&](std::uint32_t) { return ++count == kMost; });
+      } else {
+        for (const Bounds<T>& other : gathered) count += other.near(box, 2 * gap);
+      }
+      ++having[std::min(count, kMost)];
+    }
   }
   std::uint32_t sum = 0;
   for (std::uint32_t k = kMost; k > 0; --k) {
@@ -381,7 +400,7 @@ Products<T> build_products(const Solid<T>& solid, std::span<const Bounds<T>> box
   products.crowd = static_cast<std::uint32_t>(solid.leaves.size());
   // Where a T is fine enough to tell as many events apart as there are, that will do.
   if (static_cast<T>(products.crowd) * Numeric<T>::kEpsilon > Numeric<T>::kFineChain)
-    products.crowd = std::min(products.crowd, crowd_of(solid.hierarchy, boxes, products.gap));
+    products.crowd = std::min(products.crowd, crowd_of(solid.hierarchy, products.gap));
   products.complete = Distributor<T>(solid, boxes, products).run();
   if (!products.complete) {
     products.list = {};

@@ -2,6 +2,8 @@
 // 3.3): far from the origin a float has few digits left for the place of things.
 #pragma once
 
+#include <optional>
+
 #include "tracer/render.h"
 #include "tracer/scene.h"
 
@@ -13,7 +15,16 @@ namespace sir {
 /// primitives' envelope, cut to float so that differences are short.
 glm::dvec3 offset_for(const Scene& scene, Precision precision);
 
-/// The scene with the offset subtracted from solids, lights and camera.
-Scene recentred(Scene scene, const glm::dvec3& offset);
+/// The scene with the offset subtracted from solids, lights and camera; the scene
+/// itself, which must then outlive it, where there is none.
+class Recentred {
+ public:
+  Recentred(const Scene& scene, const glm::dvec3& offset);
+  operator const Scene&() const { return moved_ ? *moved_ : scene_; }  // NOLINT: it is one
+
+ private:
+  const Scene& scene_;
+  std::optional<Scene> moved_;
+};
 
 }  // namespace sir

@@ -121,7 +121,7 @@ RenderResult render(const Scene& scene, const RenderOptions& options,
   if (options.precision == Precision::long_double)
     return render_in<long double>(scene, options, progress, stop);
   const glm::dvec3 offset = offset_for(scene, options.precision);
-  return render_in<float>(recentred(scene, offset), options, progress, stop);
+  return render_in<float>(Recentred(scene, offset), options, progress, stop);
 }
 
 PixelTrace trace_pixel(const Scene& scene, const RenderOptions& options, int i, int j) {
@@ -129,7 +129,7 @@ PixelTrace trace_pixel(const Scene& scene, const RenderOptions& options, int i, 
   if (options.precision == Precision::long_double)
     return trace_pixel_in<long double>(scene, options, i, j);
   const glm::dvec3 offset = offset_for(scene, options.precision);
-  PixelTrace result = trace_pixel_in<float>(recentred(scene, offset), options, i, j);
+  PixelTrace result = trace_pixel_in<float>(Recentred(scene, offset), options, i, j);
   for (TraceNode& node : result.log) {
     node.origin += offset;
     if (node.hit) node.point += offset;

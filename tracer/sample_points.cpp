@@ -71,7 +71,7 @@ PointSampler::PointSampler(const Scene& scene, const RenderOptions& options) {
     return;
   }
   const glm::dvec3 offset = offset_for(scene, options.precision);
-  work_ = std::make_unique<WorkIn<float>>(recentred(scene, offset), options);
+  work_ = std::make_unique<WorkIn<float>>(Recentred(scene, offset), options);
 }
 
 PointSampler::~PointSampler() = default;

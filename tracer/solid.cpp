@@ -1,7 +1,10 @@
 #include "tracer/solid.h"
 
-#include <map>
+#include <algorithm>
+#include <bit>
 #include <unordered_map>
+
+#include "tracer/large_pages.h"
 
 namespace sir {
 namespace {
@@ -12,6 +15,12 @@ template <typename T>
 [[gnu::noinline]] T lost_in_rounding(double exact) {
   const T rounded = static_cast<T>(exact);
   return static_cast<T>(std::abs(exact - double(rounded)) / double(Numeric<T>::kEpsilon / 2));
+}
+
+template <typename T>
+bool is_power_of_two(T size) {
+  int unused = 0;
+  return std::frexp(size, &unused) == T(0.5);
 }
 
 // Counts the roundings between a ray's coordinates and those in SC_LOCAL.
@@ -29,7 +38,7 @@ void weigh_roundings(const InverseIn<AtLeastDouble<T>>& inverse, Leaf<T>& leaf) 
       exact = exact && AtLeastDouble<T>(entry) == inverse.numerators[column][row];
       if (entry == 0) continue;
       ++terms;
-      trivial = trivial && std::abs(entry) == std::exp2(static_cast<T>(std::ilogb(entry)));
+      trivial = trivial && is_power_of_two(std::abs(entry));
     }
     // The entries themselves, the products, their sum.
     int roundings = (exact ? 0 : 1) + (trivial ? 0 : 1) + terms - 1;
@@ -64,10 +73,10 @@ void set_pace(const InverseIn<AtLeastDouble<T>>& inverse, Leaf<T>& leaf) {
   leaf.tame = leaf.tame && std::isnormal(leaf.pace);
 }
 
+// Sets what the node itself says of its leaf.
 template <typename T>
-Leaf<T> make_leaf(const CsgNode& node,
-                  const std::unordered_map<std::int64_t, std::uint32_t>& surface_index) {
-  Leaf<T> leaf;
+void set_leaf(const CsgNode& node,
+              const std::unordered_map<std::int64_t, std::uint32_t>& surface_index, Leaf<T>& leaf) {
   InverseIn<AtLeastDouble<T>> inverse;
   invert(node.placement.linear, inverse);  // the reader has refused singular ones
   leaf.placement.linear = glm::mat<3, 3, T>(node.placement.linear);
@@ -86,30 +95,50 @@ Leaf<T> make_leaf(const CsgNode& node,
     leaf.stretch = std::max(leaf.stretch, static_cast<T>(sum));
   }
   for (std::size_t face = 0; face < static_cast<std::size_t>(face_count(node.kind)); ++face)
-    leaf.surfaces[face] = surface_index.at(node.surfaces[face]);
+    leaf.surfaces[face] = face > 0 && node.surfaces[face] == node.surfaces[0]
+                              ? leaf.surfaces[0]
+                              : surface_index.at(node.surfaces[face]);
   set_pace(inverse, leaf);
   leaf.node = node.number;
   leaf.kind = node.kind;
-  return leaf;
 }
 
-std::array<double, 13> shape_of(const CsgNode& node) {
-  const auto& m = node.placement.linear;
-  const auto& t = node.placement.translation;
-  return {double(node.kind),
-          m[0].x,
-          m[0].y,
-          m[0].z,
-          m[1].x,
-          m[1].y,
-          m[1].z,
-          m[2].x,
-          m[2].y,
-          m[2].z,
-          t.x,
-          t.y,
-          t.z};
-}
+// Gives primitives of one kind and place the same number, in the order of their first.
+class Shapes {
+ public:
+  explicit Shapes(const std::vector<CsgNode>& nodes)
+      : number_of_(nodes.size(), Hash{nodes}, Equal{nodes}) {}
+
+  std::uint32_t number_of(std::size_t node) {
+    return number_of_.emplace(node, static_cast<std::uint32_t>(number_of_.size())).first->second;
+  }
+
+ private:
+  static std::array<double, 12> numbers(const Placement& place) {
+    const auto& [m, t] = place;
+    return {m[0].x, m[0].y, m[0].z, m[1].x, m[1].y, m[1].z, m[2].x, m[2].y, m[2].z, t.x, t.y, t.z};
+  }
+  struct Hash {
+    const std::vector<CsgNode>& nodes;
+    std::size_t operator()(std::size_t node) const {
+      auto hash = static_cast<std::uint64_t>(nodes[node].kind);
+      for (const double number : numbers(nodes[node].placement)) {
+        hash ^= std::bit_cast<std::uint64_t>(number + 0.0);  // -0 is 0
+        hash = std::rotl(hash * 0x9E3779B97F4A7C15u, 29);
+      }
+      return hash;
+    }
+  };
+  struct Equal {
+    const std::vector<CsgNode>& nodes;
+    bool operator()(std::size_t a, std::size_t b) const {
+      return nodes[a].kind == nodes[b].kind &&
+             numbers(nodes[a].placement) == numbers(nodes[b].placement);
+    }
+  };
+
+  std::unordered_map<std::size_t, std::uint32_t, Hash, Equal> number_of_;
+};
 
 enum class GateKind : std::uint8_t { any, all };
 
@@ -139,8 +168,14 @@ Solid<T> build_solid(const Scene& scene, Formulas formulas) {
   for (const Surface& surface : scene.surfaces)
     surface_index.emplace(surface.number, static_cast<std::uint32_t>(surface_index.size()));
 
+  const auto primitives =
+      static_cast<std::size_t>(std::count_if(scene.tree.nodes.begin(), scene.tree.nodes.end(),
+                                             [](const CsgNode& node) { return !node.composite; }));
   Solid<T> solid;
-  std::map<std::array<double, 13>, std::uint32_t> shapes;
+  reserve_all(solid.leaves, primitives);
+  reserve_all(solid.placements, primitives);
+  solid.polish.reserve(scene.tree.nodes.size());
+  Shapes shapes(scene.tree.nodes);
   std::vector<GateKind> kind_of;
   std::vector<std::int32_t> inputs;
   struct Open {
@@ -157,9 +192,9 @@ Solid<T> build_solid(const Scene& scene, Formulas formulas) {
     solid.polish.push_back(
         {!node.composite, node.operation, static_cast<std::uint32_t>(solid.leaves.size())});
     if (!node.composite) {
-      Leaf<T> leaf = make_leaf<T>(node, surface_index);
-      leaf.shape =
-          shapes.emplace(shape_of(node), static_cast<std::uint32_t>(shapes.size())).first->second;
+      Leaf<T>& leaf = solid.leaves.emplace_back();
+      set_leaf(node, surface_index, leaf);
+      leaf.shape = shapes.number_of(item.node);
       leaf.gate = item.gate;
       leaf.complemented = item.complemented;
       if (item.gate >= 0) {
@@ -167,7 +202,6 @@ Solid<T> build_solid(const Scene& scene, Formulas formulas) {
         ++inputs[gate];
         if (item.complemented) ++solid.gates[gate].at_rest;
       }
-      solid.leaves.push_back(leaf);
       solid.placements.push_back(node.placement);
       continue;
     }

@@ -3,6 +3,7 @@
 #include <locale.h>
 #include <utf8proc.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -13,20 +14,45 @@
 #include <memory>
 
 #include "tracer/error.h"
+#include "tracer/large_pages.h"
 
 namespace sir {
 namespace {
 
-constexpr std::string_view kWhiteSpace = " \t\r\n\v\f";
+bool is_white(char letter) { return letter == ' ' || (letter >= '\t' && letter <= '\r'); }
 
 std::string_view trim(std::string_view text) {
-  const auto first = text.find_first_not_of(kWhiteSpace);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kWhiteSpace) - first + 1);
+  while (!text.empty() && is_white(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_white(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+// Takes the next token off the front of `line`; empty: there is none.
+std::string_view take_token(std::string_view& line) {
+  std::size_t from = 0;
+  while (from < line.size() && is_white(line[from])) ++from;
+  std::size_t to = from;
+  while (to < line.size() && !is_white(line[to])) ++to;
+  const auto token = line.substr(from, to - from);
+  line.remove_prefix(to);
+  return token;
+}
+
+// How many of the first bytes are surely ASCII, eight at a time.
+std::size_t ascii_prefix(std::string_view text) {
+  std::size_t size = 0;
+  std::uint64_t eight = 0;
+  for (; size + sizeof eight <= text.size(); size += sizeof eight) {
+    std::memcpy(&eight, text.data() + size, sizeof eight);
+    if ((eight & 0x8080808080808080u) != 0) break;
+  }
+  return size;
 }
 
 bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
+  for (;;) {
+    text.remove_prefix(ascii_prefix(text));
+    if (text.empty()) break;
     utf8proc_int32_t unused = 0;
     const auto used = utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
                                        static_cast<utf8proc_ssize_t>(text.size()), &unused);
@@ -58,26 +84,30 @@ std::string read_all(const std::filesystem::path& path) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"),
                                                              std::fclose);
   if (!file) throw FileError(name, 0, std::string("cannot be read: ") + std::strerror(errno));
+  std::setvbuf(file.get(), nullptr, _IONBF, 0);  // it is read in large pieces anyway
   std::string text;
-  std::array<char, 1 << 16> chunk{};
-  std::size_t line = 1, line_length = 0;
+  const auto announced = std::filesystem::file_size(path, ignored);  // a pipe has none
+  if (!ignored) reserve_all(text, std::min<std::uintmax_t>(announced, TextFile::kMaxFile));
+  const auto fail = [&](const std::string& reason) {
+    const auto line = 1 + std::count(text.begin(), text.end(), '\n');
+    throw FileError(name, static_cast<std::size_t>(line), reason);
+  };
+  std::array<char, 1 << 16> chunk;
+  static_assert(chunk.size() <= TextFile::kMaxLine);
+  std::size_t line_length = 0;  // of the last line so far
   while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
-    // Checked while reading, so that a line of gigabytes costs a megabyte.
-    for (std::size_t i = 0; i < got; ++i) {
-      if (chunk[i] == '\n') {
-        ++line;
-        line_length = 0;
-      } else if (++line_length > TextFile::kMaxLine) {
-        throw FileError(name, line,
-                        "the line is longer than " + std::to_string(TextFile::kMaxLine) + " bytes");
-      }
-    }
-    text.append(chunk.data(), got);
+    // Checked while reading, so that a line of gigabytes costs a megabyte. Lines
+    // that begin and end in one piece are short enough.
+    const std::string_view piece(chunk.data(), got);
+    const auto first_end = piece.find('\n');
+    if (line_length + std::min(first_end, got) > TextFile::kMaxLine)
+      fail("the line is longer than " + std::to_string(TextFile::kMaxLine) + " bytes");
+    line_length = first_end == piece.npos ? line_length + got : got - 1 - piece.rfind('\n');
+    text += piece;
     if (text.size() > TextFile::kMaxFile)
-      throw FileError(name, line,
-                      "the file is longer than " + std::to_string(TextFile::kMaxFile) + " bytes");
+      fail("the file is longer than " + std::to_string(TextFile::kMaxFile) + " bytes");
   }
-  if (std::ferror(file.get())) throw FileError(name, line, "cannot be read further");
+  if (std::ferror(file.get())) fail("cannot be read further");
   return text;
 }
 
@@ -141,11 +171,8 @@ bool parse_count(std::string_view token, std::int64_t& value) {
 
 std::vector<std::string_view> split_tokens(std::string_view line) {
   std::vector<std::string_view> tokens;
-  for (auto from = line.find_first_not_of(kWhiteSpace); from != std::string_view::npos;) {
-    const auto to = line.find_first_of(kWhiteSpace, from);
-    tokens.push_back(line.substr(from, to - from));
-    from = to == std::string_view::npos ? to : line.find_first_not_of(kWhiteSpace, to);
-  }
+  for (auto token = take_token(line); !token.empty(); token = take_token(line))
+    tokens.push_back(token);
   return tokens;
 }
 
@@ -180,9 +207,8 @@ bool TextFile::next() {
   return false;
 }
 
-void TextFile::expect(std::string_view what) {
-  if (!next())
-    fail_at(number_ + (number_ == 0), "the file ends where " + std::string(what) + " should stand");
+void TextFile::fail_at_end(std::string_view what) const {
+  fail_at(number_ + (number_ == 0), "the file ends where " + std::string(what) + " should stand");
 }
 
 bool TextFile::at_end() {
@@ -191,32 +217,40 @@ bool TextFile::at_end() {
   return false;
 }
 
-std::vector<double> TextFile::numbers_here(std::string_view what) const {
-  std::vector<double> values;
-  for (const auto token : split_tokens(line_)) {
+std::size_t TextFile::parse_numbers(std::span<double> values, std::string_view& wrong) const {
+  std::size_t count = 0;
+  std::string_view rest = line_;
+  for (auto token = take_token(rest); !token.empty(); token = take_token(rest)) {
     double value = 0;
-    if (!parse_number(token, value))
-      fail(std::string(what) + ": " + in_quotes(token) + " is not a finite number");
-    values.push_back(value);
+    if (!parse_number(token, value)) {
+      wrong = token;
+      return count;
+    }
+    if (count < values.size()) values[count] = value;
+    ++count;
   }
+  return count;
+}
+
+void TextFile::fail_in_numbers(std::string_view what, std::string_view wrong) const {
+  fail(std::string(what) + ": " + in_quotes(wrong) + " is not a finite number");
+}
+
+void TextFile::fail_in_numbers(std::string_view what, std::size_t wanted, std::size_t found) const {
+  fail(std::string(what) + ": " + std::to_string(wanted) + " numbers expected, " +
+       std::to_string(found) + " found");
+}
+
+std::vector<double> TextFile::numbers_here(std::string_view what) const {
+  std::string_view wrong;
+  std::vector<double> values(parse_numbers({}, wrong));
+  if (!wrong.empty()) fail_in_numbers(what, wrong);
+  parse_numbers(values, wrong);
   return values;
 }
 
-void TextFile::read_numbers(std::string_view what, std::span<double> values) {
-  expect(what);
-  const auto found = numbers_here(what);
-  if (found.size() != values.size())
-    fail(std::string(what) + ": " + std::to_string(values.size()) + " numbers expected, " +
-         std::to_string(found.size()) + " found");
-  std::copy(found.begin(), found.end(), values.begin());
-}
-
-std::int64_t TextFile::read_count(std::string_view what) {
-  expect(what);
-  std::int64_t value = 0;
-  if (!parse_count(line_, value))
-    fail(std::string(what) + ": " + in_quotes(line_) + " is not a non-negative integer");
-  return value;
+void TextFile::fail_in_count(std::string_view what) const {
+  fail(std::string(what) + ": " + in_quotes(line_) + " is not a non-negative integer");
 }
 
 void TextFile::fail(std::string_view reason) const { throw FileError(name_, number_, reason); }

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace sir {
@@ -36,6 +37,12 @@ std::string counted(Count count, std::string_view noun) {
 /// Splits at white space.
 std::vector<std::string_view> split_tokens(std::string_view line);
 
+/// What is being read, for an error's message: a text, or a function that makes it
+/// when it is wanted, since most files have no error.
+template <typename What>
+concept Naming = std::convertible_to<const What&, std::string_view> ||
+    std::is_invocable_r_v<std::string, const What&>;
+
 /// Reads a text file line by line. The file is UTF-8, else ISO-8859-1; lines
 /// end in LF or CRLF; blank lines are passed over. Every error is a FileError
 /// that names the file and the line. Lines are at most kMaxLine bytes long,
@@ -55,7 +62,9 @@ class TextFile {
   bool next();
 
   /// Moves to the next line, or fails with "the file ends where `what` should stand".
-  void expect(std::string_view what);
+  void expect(const Naming auto& what) {
+    if (!next()) fail_at_end(name_by(what));
+  }
 
   /// The current line without surrounding white space, in UTF-8.
   std::string_view line() const { return line_; }
@@ -70,10 +79,21 @@ class TextFile {
   bool at_end();
 
   /// Reads the next line as exactly values.size() numbers.
-  void read_numbers(std::string_view what, std::span<double> values);
+  void read_numbers(const Naming auto& what, std::span<double> values) {
+    expect(what);
+    std::string_view wrong;
+    const std::size_t found = parse_numbers(values, wrong);
+    if (!wrong.empty()) fail_in_numbers(name_by(what), wrong);
+    if (found != values.size()) fail_in_numbers(name_by(what), values.size(), found);
+  }
 
   /// Reads the next line as one non-negative integer.
-  std::int64_t read_count(std::string_view what);
+  std::int64_t read_count(const Naming auto& what) {
+    expect(what);
+    std::int64_t value = 0;
+    if (!parse_count(line_, value)) fail_in_count(name_by(what));
+    return value;
+  }
 
   /// The numbers on the current line; fails on a token that is none.
   std::vector<double> numbers_here(std::string_view what) const;
@@ -83,7 +103,23 @@ class TextFile {
 
   const std::string& name() const { return name_; }
 
+  /// Bytes of the whole text.
+  std::size_t size() const { return text_.size(); }
+
  private:
+  static std::string name_by(const Naming auto& what) {
+    if constexpr (std::invocable<decltype(what)>) return what();
+    else return std::string(what);
+  }
+
+  // The numbers on the line, as many as there is room for; how many there are. `wrong`:
+  // the first token that is none.
+  std::size_t parse_numbers(std::span<double> values, std::string_view& wrong) const;
+  [[noreturn]] void fail_at_end(std::string_view what) const;
+  [[noreturn]] void fail_in_numbers(std::string_view what, std::string_view wrong) const;
+  [[noreturn]] void fail_in_numbers(std::string_view what, std::size_t wanted,
+                                    std::size_t found) const;
+  [[noreturn]] void fail_in_count(std::string_view what) const;
   void settle_encoding();
 
   std::string name_;
