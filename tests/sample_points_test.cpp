@@ -78,9 +78,9 @@ TEST(PointSampler, AStopTakesEffectWithinAPiece) {
   std::stop_source stop;
   EXPECT_FALSE(sampler.trace(
       points, seen, [&](double) { stop.request_stop(); }, stop.get_token()));
-  EXPECT_EQ(sampler.counts().primary, 64u);
+  EXPECT_EQ(sampler.counts().primary, 256u);
   EXPECT_FALSE(sampler.trace(points, seen, {}, stop.get_token()));
-  EXPECT_EQ(sampler.counts().primary, 64u);
+  EXPECT_EQ(sampler.counts().primary, 256u);
 }
 
 TEST(Pieces, EachIsDoneOnceByAnyNumberOfThreads) {
