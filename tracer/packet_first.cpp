@@ -18,7 +18,7 @@ class FirstSearch {
 
  public:
   HWY_INLINE FirstSearch(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, const T* farthest)
-      : solid_(solid), changer_(solid, rays) {
+      : solid_(solid), changer_(solid, rays, costs), alive_(std::popcount(rays.tame)) {
     set_reach(rays, farthest, reach);
     std::fill_n(t_, kPacketLanes, std::numeric_limits<T>::infinity());
     std::fill_n(rival_, kPacketLanes, std::numeric_limits<T>::infinity());
@@ -63,7 +63,10 @@ class FirstSearch {
     }
   }
 
+  HWY_INLINE int alive() const { return alive_; }
+
   alignas(64) T reach[kPacketLanes];
+  PacketCosts costs;
 
  private:
   HWY_INLINE void note(std::size_t lane, const Change<T>& change) {
@@ -98,6 +101,7 @@ class FirstSearch {
   alignas(64) Word code_[kPacketLanes] = {};
   const PacketSolid<T>& solid_;
   Changer<T> changer_;
+  const int alive_;
 };
 
 template <typename T>
@@ -107,6 +111,7 @@ HWY_INLINE void find_first(const PacketSolid<T>& solid, const RayPacket<T>& pack
   FirstSearch<T> search(solid, rays, packet.farthest);
   walk(solid, rays, search.reach, search);
   search.finish(rays, found);
+  found.costs = search.costs;
 }
 
 void first_floats(const PacketSolid<float>& solid, const RayPacket<float>& rays,

@@ -40,7 +40,7 @@ struct Met {
 
 template <typename T>
 HWY_INLINE void meet(const PacketLeaf<T>& leaf, const ReadyPacket<T>& rays, std::size_t lane,
-                     Truths<T> where, Met<T>& seen) {
+                     Truths<T> where, Met<T>& seen, PacketCosts& costs) {
   using V = Numbers<T>;
   seen.leaf = leaf.leaf;
   Truths<T> inward = Truths<T>::none();
@@ -49,6 +49,7 @@ HWY_INLINE void meet(const PacketLeaf<T>& leaf, const ReadyPacket<T>& rays, std:
     where -= Codes<T>::load(rays.away_shape + lane) == shape;
     inward = where & (Codes<T>::load(rays.inward_shape + lane) == shape);
   }
+  costs.counts.primitives[static_cast<std::size_t>(leaf.kind)] += where.count();
   Spans<T> spans;
   cross(leaf, rays, lane, where, spans);
   seen.unsure = spans.unsure;
@@ -73,11 +74,13 @@ HWY_INLINE void meet(const PacketLeaf<T>& leaf, const ReadyPacket<T>& rays, std:
     seen.unsure |= joined;
     seen.met -= joined;
   }
+  costs.spans += seen.met.count();
 }
 
 /// The parts whose envelopes some lanes meet at t in [0, reach[lane]], about front
 /// to back: visitor.visit(part, lane, where, enter) for each chunk of a packet that
-/// does. The visitor may draw `reach` nearer; below 0 a lane is finished.
+/// does. The visitor may draw `reach` nearer; below 0 a lane is finished. Adds to
+/// visitor.costs for each of the visitor.alive() lanes that are not.
 template <typename T, typename Visitor>
 HWY_INLINE void walk(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, const T* reach,
                      Visitor& visitor) {
@@ -89,17 +92,22 @@ HWY_INLINE void walk(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, co
   open[count++] = 0;
   while (count > 0) {
     const PacketNode<T>& node = solid.nodes[open[--count]];
+    const std::uint64_t alive = visitor.alive();
     if (node.size == 0) {
+      visitor.costs.counts.envelopes += alive;
       for (std::size_t lane = 0; lane < kPacketLanes; lane += kStep) {
         V enter;
         if (!meets(node.box, rays, lane, V::load(reach + lane), enter).any()) continue;
         const std::uint32_t far = node.ascending != rays.descending[node.axis] ? 1 : 0;
         open[count++] = node.first + far;
         open[count++] = node.first + 1 - far;
+        visitor.costs.counts.calls += alive;
         break;
       }
       continue;
     }
+    visitor.costs.counts.calls += alive;
+    visitor.costs.counts.envelopes += alive * node.size;
     for (std::uint32_t i = node.first; i < node.first + node.size; ++i) {
       const auto& part = solid.parts[i];
       for (std::size_t lane = 0; lane < kPacketLanes; lane += kStep) {

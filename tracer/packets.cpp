@@ -15,13 +15,30 @@ Packets<T>::Packets(const Solid<T>& solid, const PacketSolid<T>* laid_out, Engin
     : laid_out_(engine == Engine::gates ? laid_out : nullptr), classifier_(solid, engine) {}
 
 template <typename T>
+RayCounts Packets<T>::counts() const {
+  RayCounts counts = counts_;
+  counts.exact = classifier_.exact_intersections();
+  // A primitive is gone into as a node is.
+  counts.costs.calls += counts.costs.transformations();
+  counts.costs += classifier_.costs();
+  return counts;
+}
+
+template <typename T>
+void Packets<T>::add(const PacketCosts& costs) {
+  ++counts_.packets;
+  counts_.spans += costs.spans;
+  counts_.costs += costs.counts;
+}
+
+template <typename T>
 void Packets<T>::first(std::span<const StartedRay<T>> rays, T farthest, std::vector<char>& met,
                        std::vector<Boundary<T>>& boundaries) {
   met.resize(rays.size());
   boundaries.resize(rays.size());
   const auto ask = [&](std::size_t i) {
     met[i] = classifier_.first(rays[i].ray, rays[i].start, boundaries[i], farthest);
-    spans_ += classifier_.spans();
+    counts_.spans += classifier_.spans();
   };
   std::size_t i = 0;
   if constexpr (kInPackets<T>) {
@@ -31,9 +48,10 @@ void Packets<T>::first(std::span<const StartedRay<T>> rays, T farthest, std::vec
       for (std::size_t lane = 0; lane < lanes; ++lane)
         packet.set(lane, rays[i + lane].ray, rays[i + lane].start, farthest);
       const PacketFirst<T> found = first_boundaries(*laid_out_, packet);
+      add(found.costs);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         if (found.doubtful >> lane & 1u) {
-          ++doubtful_;
+          ++counts_.doubtful;
           ask(i + lane);
           continue;
         }
@@ -52,7 +70,7 @@ void Packets<T>::blocked(std::span<const StartedRay<T>> rays, T clearance,
   answer.resize(rays.size());
   const auto ask = [&](std::size_t i) {
     answer[i] = classifier_.blocked(rays[i].ray, rays[i].start, clearance);
-    spans_ += classifier_.spans();
+    counts_.spans += classifier_.spans();
   };
   std::size_t i = 0;
   if constexpr (kInPackets<T>) {
@@ -62,9 +80,10 @@ void Packets<T>::blocked(std::span<const StartedRay<T>> rays, T clearance,
       for (std::size_t lane = 0; lane < lanes; ++lane)
         packet.set(lane, rays[i + lane].ray, rays[i + lane].start, T(1));
       const PacketBlocked found = find_blocked(*laid_out_, packet, clearance);
+      add(found.costs);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         if (found.doubtful >> lane & 1u) {
-          ++doubtful_;
+          ++counts_.doubtful;
           ask(i + lane);
         } else {
           answer[i + lane] = found.blocked >> lane & 1u;

@@ -7,6 +7,7 @@
 
 #include "tracer/classify.h"
 #include "tracer/packet_first.h"
+#include "tracer/ray_counts.h"
 
 namespace sir {
 
@@ -36,16 +37,16 @@ class Packets {
   Classifier<T>& classifier() { return classifier_; }
   const Classifier<T>& classifier() const { return classifier_; }
 
-  /// Spans that the Classifier found; packets do not count theirs.
-  std::uint64_t spans() const { return spans_; }
-
-  /// Rays that packets left in doubt.
-  std::uint64_t doubtful() const { return doubtful_; }
+  /// What was found and what that took, of packets and of the Classifier: `spans`,
+  /// `exact`, `packets`, `doubtful` and `costs`.
+  RayCounts counts() const;
 
  private:
+  void add(const PacketCosts& costs);
+
   const PacketSolid<T>* laid_out_;
   Classifier<T> classifier_;
-  std::uint64_t spans_ = 0, doubtful_ = 0;
+  RayCounts counts_;  // without the Classifier's own
 };
 
 }  // namespace sir

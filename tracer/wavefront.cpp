@@ -10,16 +10,14 @@ template <typename T>
 Wavefront<T>::Wavefront(const Model<T>& model, const TraceOptions& options)
     : model_(model),
       options_(options),
-      packets_(model.solid, model.laid_out.get(), options.engine),
+      packets_(model.solid, options.packets ? model.laid_out.get() : nullptr, options.engine),
       deep_(model, options),
       bound_(model, options) {}
 
 template <typename T>
 RayCounts Wavefront<T>::counts() const {
   RayCounts counts = counts_;
-  counts.exact = packets_.classifier().exact_intersections();
-  counts.spans += packets_.spans();
-  counts.costs = packets_.classifier().costs();
+  counts += packets_.counts();
   counts += deep_.counts();
   return counts;
 }
