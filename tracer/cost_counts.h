@@ -53,6 +53,8 @@ struct CostCounts {
     return tests;
   }
 
+  friend bool operator==(const CostCounts&, const CostCounts&) = default;
+
   CostCounts& operator+=(const CostCounts& other) {
     calls += other.calls;
     combinations += other.combinations;

@@ -23,7 +23,7 @@ class BlockedSearch {
 
  public:
   HWY_INLINE BlockedSearch(const PacketSolid<T>& solid, const ReadyPacket<T>& rays)
-      : solid_(solid), rays_(rays), alive_(std::popcount(rays.tame)) {
+      : solid_(solid), rays_(rays), alive_(static_cast<std::uint32_t>(std::popcount(rays.tame))) {
     alignas(64) T light[kPacketLanes];
     std::fill_n(light, kPacketLanes, T(1));
     set_reach(rays, light, reach);
@@ -45,7 +45,7 @@ class BlockedSearch {
       find_carved(part, lane, where, present, doubtful);
     }
     blocked_ |= present.bits() << lane;
-    alive_ = std::popcount(rays_.tame & ~blocked_);
+    alive_ = static_cast<std::uint32_t>(std::popcount(rays_.tame & ~blocked_));
     doubtful_ |= doubtful.bits() << lane;
     select(present, V(T(-1)), V::load(reach + lane)).store(reach + lane);
   }
@@ -57,7 +57,7 @@ class BlockedSearch {
     found.costs = costs;
   }
 
-  HWY_INLINE int alive() const { return alive_; }
+  HWY_INLINE std::uint32_t alive() const { return alive_; }
 
   alignas(64) T reach[kPacketLanes];
   PacketCosts costs;
@@ -81,7 +81,7 @@ class BlockedSearch {
   const PacketSolid<T>& solid_;
   const ReadyPacket<T>& rays_;
   std::uint32_t blocked_ = 0, doubtful_ = 0;
-  int alive_;  // lanes
+  std::uint32_t alive_;  // lanes
 };
 
 // Classifier::presence_of().

@@ -18,7 +18,9 @@ class FirstSearch {
 
  public:
   HWY_INLINE FirstSearch(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, const T* farthest)
-      : solid_(solid), changer_(solid, rays, costs), alive_(std::popcount(rays.tame)) {
+      : solid_(solid),
+        changer_(solid, rays, costs),
+        alive_(static_cast<std::uint32_t>(std::popcount(rays.tame))) {
     set_reach(rays, farthest, reach);
     std::fill_n(t_, kPacketLanes, std::numeric_limits<T>::infinity());
     std::fill_n(rival_, kPacketLanes, std::numeric_limits<T>::infinity());
@@ -63,7 +65,7 @@ class FirstSearch {
     }
   }
 
-  HWY_INLINE int alive() const { return alive_; }
+  HWY_INLINE std::uint32_t alive() const { return alive_; }
 
   alignas(64) T reach[kPacketLanes];
   PacketCosts costs;
@@ -101,7 +103,7 @@ class FirstSearch {
   alignas(64) Word code_[kPacketLanes] = {};
   const PacketSolid<T>& solid_;
   Changer<T> changer_;
-  const int alive_;
+  const std::uint32_t alive_;
 };
 
 template <typename T>

@@ -90,24 +90,25 @@ HWY_INLINE void walk(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, co
   std::uint32_t open[Hierarchy<T>::kMaxDepth + 1];
   std::size_t count = 0;
   open[count++] = 0;
+  std::uint32_t calls = 0, envelopes = 0;
   while (count > 0) {
     const PacketNode<T>& node = solid.nodes[open[--count]];
-    const std::uint64_t alive = visitor.alive();
+    const std::uint32_t alive = visitor.alive();
     if (node.size == 0) {
-      visitor.costs.counts.envelopes += alive;
+      envelopes += alive;
       for (std::size_t lane = 0; lane < kPacketLanes; lane += kStep) {
         V enter;
         if (!meets(node.box, rays, lane, V::load(reach + lane), enter).any()) continue;
         const std::uint32_t far = node.ascending != rays.descending[node.axis] ? 1 : 0;
         open[count++] = node.first + far;
         open[count++] = node.first + 1 - far;
-        visitor.costs.counts.calls += alive;
+        calls += alive;
         break;
       }
       continue;
     }
-    visitor.costs.counts.calls += alive;
-    visitor.costs.counts.envelopes += alive * node.size;
+    calls += alive;
+    envelopes += alive * node.size;
     for (std::uint32_t i = node.first; i < node.first + node.size; ++i) {
       const auto& part = solid.parts[i];
       for (std::size_t lane = 0; lane < kPacketLanes; lane += kStep) {
@@ -117,6 +118,8 @@ HWY_INLINE void walk(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, co
       }
     }
   }
+  visitor.costs.counts.calls += calls;
+  visitor.costs.counts.envelopes += envelopes;
 }
 
 /// How far the walk goes at first: -1 for lanes that are not tame. Finite, so that
