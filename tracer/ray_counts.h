@@ -13,7 +13,7 @@ struct RayCounts {
   std::uint64_t primary = 0, reflected = 0, refracted = 0, shadow = 0;
   std::uint64_t filtered = 0;  ///< of the shadow rays, those that something dimmed
   std::uint64_t spared = 0;    ///< rays not cast, since they could not change a byte any more
-  std::uint64_t spans = 0;     ///< primitives that those rays went through
+  std::uint64_t spans = 0;     ///< primitives that those rays went through, as often as found
   std::uint64_t exact = 0;     ///< intersections that needed more digits than T has
   std::uint64_t packets = 0;   ///< in which rays were sent, up to 16 in each
   std::uint64_t doubtful = 0;  ///< rays that a packet left to be traced one by one
