@@ -51,6 +51,8 @@ nlohmann::ordered_json stats_json(const RenderCommand& command, const Scene& sce
         {"spared", rays.spared}}},
       {"spans", rays.spans},
       {"exact_intersections", rays.exact},
+      {"packets", rays.packets},
+      {"doubtful", rays.doubtful},
       {"costs", costs_json(rays.costs)},
       {"effects", effects},
       {"ms", {{"prepare", result.prepare_seconds * 1e3}, {"trace", result.trace_seconds * 1e3}}}};

@@ -101,6 +101,42 @@ TEST(CostCounts, EnvelopesLeaveLess) {
   }
 }
 
+// One part and one node: all rays of a packet go into it and test its box, and those
+// that meet that, the primitive, which fills it.
+TEST(CostCounts, APacketsRaysCountOneByOne) {
+  test::SceneBuilder builder;
+  Scene scene = builder.finish(builder.cube({-1, -1, -1}, {1, 1, 1}));
+  scene.camera = {{4, 4}, {0, 0, 0}, {0, 0, -1}, 4, {0, 1, 0}, true, 4, false};
+  scene.lighting.background = {1, 0, 0};
+  RenderOptions options = primary_rays({20, 20}, Engine::gates);
+  const RayCounts rays = render(scene, options).counts;
+  EXPECT_EQ(rays.packets, 25u);  // of 8, 8 and 4 rows of 20
+  EXPECT_EQ(rays.doubtful, 0u);
+  EXPECT_EQ(rays.spans, 100u);
+  EXPECT_EQ(rays.costs.primitives, (std::array<std::uint64_t, 4>{100, 0, 0, 0}));
+  EXPECT_EQ(rays.costs.envelopes, 400u);
+  EXPECT_EQ(rays.costs.calls, 400u + 100u);
+  EXPECT_EQ(rays.costs.combinations, 0u);
+  options.trace.packets = false;
+  EXPECT_EQ(render(scene, options).counts.packets, 0u);
+}
+
+// Packets see what single rays see, and a little more: they go together.
+TEST(CostCounts, PacketsCostAboutAsMuchAsTheirRays) {
+  const Scene scene = bench::made_scene({.primitives = 300});
+  RenderOptions options = primary_rays({100, 100}, Engine::gates);
+  const RayCounts together = render(scene, options).counts;
+  options.trace.packets = false;
+  const RayCounts alone = render(scene, options).counts;
+  const auto about = [](std::uint64_t a, std::uint64_t b, double most) {
+    return double(a) >= 0.9 * double(b) && double(a) <= most * double(b);
+  };
+  EXPECT_TRUE(about(together.costs.transformations(), alone.costs.transformations(), 1.2));
+  EXPECT_TRUE(about(together.costs.envelopes, alone.costs.envelopes, 3));
+  EXPECT_TRUE(about(together.spans, alone.spans, 1.2));
+  EXPECT_LE(together.exact, alone.exact);
+}
+
 TEST(CostCounts, DoNotDependOnTheNumberOfThreads) {
   const Scene scene = bench::made_scene({.primitives = 100});
   for (const auto engine : {Engine::gates, Engine::roth, Engine::envelopes}) {
@@ -111,10 +147,7 @@ TEST(CostCounts, DoNotDependOnTheNumberOfThreads) {
     const CostCounts one = render(scene, options).counts.costs;
     options.threads = 3;
     const CostCounts three = render(scene, options).counts.costs;
-    EXPECT_EQ(one.calls, three.calls);
-    EXPECT_EQ(one.combinations, three.combinations);
-    EXPECT_EQ(one.envelopes, three.envelopes);
-    EXPECT_EQ(one.primitives, three.primitives);
+    EXPECT_EQ(one, three);
   }
 }
 

@@ -53,10 +53,15 @@ TEST(Engine, GatesGiveRothsImages) {
     for (const auto precision : {Precision::double_, Precision::float_, Precision::long_double}) {
       options.precision = precision;
       options.trace.engine = Engine::gates;
+      options.trace.packets = true;
+      const auto packets = render(scene, options);
+      options.trace.packets = false;
       const auto fast = render(scene, options);
       options.trace.engine = Engine::roth;
       const auto plain = render(scene, options);
+      ASSERT_EQ(packets.planes, plain.planes) << seed;
       ASSERT_EQ(fast.planes, plain.planes) << seed;
+      // A packet finds a primitive again for each part that it is in; single rays do not.
       ASSERT_LE(fast.counts.spans, plain.counts.spans);
     }
   }

@@ -255,7 +255,7 @@ TEST(SampleAdaptive, ProgressRisesToOneAndAStopEndsIt) {
   const RenderResult stopped = render(
       scene, single, [&](double) { stop.request_stop(); }, stop.get_token());
   EXPECT_FALSE(stopped.complete);
-  EXPECT_EQ(stopped.counts.primary, 64u);  // one piece of work
+  EXPECT_EQ(stopped.counts.primary, 256u);  // one piece of work
   EXPECT_EQ(stopped.planes.size, single.size);
 }
 

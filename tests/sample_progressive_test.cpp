@@ -38,6 +38,12 @@ void expect_the_plain_image(const Scene& scene, const RenderOptions& options) {
   EXPECT_TRUE(result.planes == plain.planes);
   EXPECT_EQ(result.counts.primary, plain.counts.primary) << "a pixel was traced twice, or never";
   EXPECT_EQ(result.counts.shadow, plain.counts.shadow);
+  EXPECT_EQ(result.counts.reflected, plain.counts.reflected);
+  EXPECT_EQ(result.counts.refracted, plain.counts.refracted);
+  EXPECT_EQ(result.counts.filtered, plain.counts.filtered);
+  EXPECT_EQ(result.counts.spared, plain.counts.spared);
+  EXPECT_EQ(result.counts.exact, plain.counts.exact);
+  EXPECT_EQ(result.counts.doubtful, plain.counts.doubtful);
   ASSERT_EQ(shown.size(), 6u);
   for (std::size_t s = 0; s < 6; ++s) {
     EXPECT_EQ(shown[s].stage.block, std::max(16 >> s, 1));

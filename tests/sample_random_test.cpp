@@ -209,7 +209,7 @@ TEST(SampleRandom, AStopEndsIt) {
       test::random_scene(7, 9, false), options, [&](double) { stop.request_stop(); },
       stop.get_token());
   EXPECT_FALSE(stopped.complete);
-  EXPECT_EQ(stopped.counts.primary, 64u);
+  EXPECT_EQ(stopped.counts.primary, 256u);
 }
 
 }  // namespace

@@ -16,9 +16,20 @@ namespace sir {
 /// primitives have surfaces: thesis 2.5's 600, 300, 300 and 4 x 300, which Roth
 /// rounds. (A secondary ray leaves out the primitive that it leaves.) Any other
 /// engine counts the same work where it still does it.
+///
+/// Where the first boundary is found by products (Solid::products) nothing is
+/// combined: combinations are left only on the rays that this leaves in doubt, and on
+/// shadow rays through glass. A packet takes its rays along together: a node that it
+/// goes into, a box that it is tested against, counts for each of its rays that is
+/// still sought for; a primitive, for the rays that meet the box of its part, once for
+/// each part that it is in. The box tests that list a tile's parts count once for all
+/// of its rays. So the sums of packets, alone of all counts, hang on which
+/// rays are in a packet: it is their majority that says which child is the nearer one,
+/// and what is found there that ends the walk. They do not depend on the processor or
+/// the number of threads.
 struct CostCounts {
   /// CUSTO 1: nodes gone into. Of the composition; or of the hierarchy of
-  /// envelopes, and the primitives that these let through.
+  /// envelopes, and the primitives that these let through, as often as they were tested.
   std::uint64_t calls = 0;
   /// CUSTO 2: composites whose two lists were combined; or inputs of gates that
   /// changed on the way along the ray.
@@ -42,6 +53,8 @@ struct CostCounts {
                static_cast<std::uint64_t>(face_count(static_cast<PrimitiveKind>(kind)));
     return tests;
   }
+
+  friend bool operator==(const CostCounts&, const CostCounts&) = default;
 
   CostCounts& operator+=(const CostCounts& other) {
     calls += other.calls;

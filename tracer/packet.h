@@ -13,6 +13,12 @@ namespace sir {
 /// Rays of a packet, whatever the processor's vectors hold.
 inline constexpr std::size_t kPacketLanes = 16;
 
+/// What a packet took, over its rays (see CostCounts).
+struct PacketCosts {
+  CostCounts counts;        ///< calls without those of the primitives
+  std::uint64_t spans = 0;  ///< primitives that were met, ray by ray
+};
+
 /// Rays in SC_CENA, component by component: component[axis][lane]. Lanes whose
 /// bit in `active` is 0 are not looked at.
 template <typename T>

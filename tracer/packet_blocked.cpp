@@ -23,7 +23,7 @@ class BlockedSearch {
 
  public:
   HWY_INLINE BlockedSearch(const PacketSolid<T>& solid, const ReadyPacket<T>& rays)
-      : solid_(solid), rays_(rays) {
+      : solid_(solid), rays_(rays), alive_(static_cast<std::uint32_t>(std::popcount(rays.tame))) {
     alignas(64) T light[kPacketLanes];
     std::fill_n(light, kPacketLanes, T(1));
     set_reach(rays, light, reach);
@@ -33,7 +33,7 @@ class BlockedSearch {
     B present = B::none(), doubtful = B::none();
     if (part.positives == 1 && part.negatives == 0) {
       Met<T> seen;
-      meet(solid_.leaves[part.first], rays_, lane, where, seen);
+      meet(solid_.leaves[part.first], rays_, lane, where, seen, costs);
       doubtful = seen.unsure;
       if (seen.met.any()) {
         Stretches<T> sure = whole(), possible = whole();
@@ -45,6 +45,7 @@ class BlockedSearch {
       find_carved(part, lane, where, present, doubtful);
     }
     blocked_ |= present.bits() << lane;
+    alive_ = static_cast<std::uint32_t>(std::popcount(rays_.tame & ~blocked_));
     doubtful_ |= doubtful.bits() << lane;
     select(present, V(T(-1)), V::load(reach + lane)).store(reach + lane);
   }
@@ -53,9 +54,13 @@ class BlockedSearch {
     found.blocked = blocked_;
     found.doubtful = (rays_.wild | doubtful_) & ~blocked_;
     found.open = (rays_.still | rays_.tame) & ~(blocked_ | doubtful_);
+    found.costs = costs;
   }
 
+  HWY_INLINE std::uint32_t alive() const { return alive_; }
+
   alignas(64) T reach[kPacketLanes];
+  PacketCosts costs;
 
  private:
   static constexpr std::size_t kMostCarved = 24;
@@ -76,6 +81,7 @@ class BlockedSearch {
   const PacketSolid<T>& solid_;
   const ReadyPacket<T>& rays_;
   std::uint32_t blocked_ = 0, doubtful_ = 0;
+  std::uint32_t alive_;  // lanes
 };
 
 // Classifier::presence_of().
@@ -92,7 +98,7 @@ HWY_NOINLINE void BlockedSearch<T>::find_carved(const typename PacketSolid<T>::P
   B alive = where, vague = B::none();
   Met<T> seen;
   for (std::uint32_t k = 0; k < part.positives; ++k) {
-    meet(solid_.leaves[part.first + k], rays_, lane, alive, seen);
+    meet(solid_.leaves[part.first + k], rays_, lane, alive, seen, costs);
     alive &= seen.met | seen.unsure;
     vague |= seen.unsure;
     narrow(seen, sure, possible);
@@ -102,7 +108,7 @@ HWY_NOINLINE void BlockedSearch<T>::find_carved(const typename PacketSolid<T>::P
   Gap gaps[kMostCarved];
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < part.negatives; ++k) {
-    meet(solid_.leaves[part.first + part.positives + k], rays_, lane, alive, seen);
+    meet(solid_.leaves[part.first + part.positives + k], rays_, lane, alive, seen, costs);
     vague |= seen.unsure;
     if (!seen.met.any()) continue;
     if (count == kMostCarved) {

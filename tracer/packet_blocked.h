@@ -9,6 +9,7 @@ namespace sir {
 /// Every active lane is in one of the masks. `doubtful`: the Classifier knows.
 struct PacketBlocked {
   std::uint32_t blocked = 0, open = 0, doubtful = 0;  ///< lanes
+  PacketCosts costs;
 };
 
 /// What Classifier::blocked() says of each ray, whose light is at t = 1 (the

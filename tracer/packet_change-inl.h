@@ -47,8 +47,8 @@ class Changer {
   static constexpr std::size_t kMostCarved = 24;
 
  public:
-  HWY_INLINE Changer(const PacketSolid<T>& solid, const ReadyPacket<T>& rays)
-      : solid_(solid), rays_(rays) {}
+  HWY_INLINE Changer(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, PacketCosts& costs)
+      : solid_(solid), rays_(rays), costs_(costs) {}
 
   /// Of a part whose envelope the lanes of `where` enter at `box_enter`; what comes
   /// after `reach` does not matter.
@@ -62,7 +62,7 @@ class Changer {
 
  private:
   HWY_INLINE void look(std::uint32_t slot, B where, Met<T>& seen) {
-    meet(solid_.leaves[slot], rays_, lane_, where, seen);
+    meet(solid_.leaves[slot], rays_, lane_, where, seen, costs_);
   }
 
   HWY_INLINE void find_alone(const typename PacketSolid<T>::Part& part, B where,
@@ -93,6 +93,7 @@ class Changer {
 
   const PacketSolid<T>& solid_;
   const ReadyPacket<T>& rays_;
+  PacketCosts& costs_;
   std::size_t lane_ = 0, count_ = 0;
   Carved<T> carved_[kMostCarved];
 };

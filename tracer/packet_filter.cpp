@@ -21,7 +21,7 @@ class FilterSearch {
 
  public:
   HWY_INLINE FilterSearch(const PacketSolid<T>& solid, const ReadyPacket<T>& rays)
-      : solid_(solid), rays_(rays) {
+      : solid_(solid), rays_(rays), alive_(static_cast<std::uint32_t>(std::popcount(rays.tame))) {
     alignas(64) T light[kPacketLanes];
     std::fill_n(light, kPacketLanes, T(1));
     set_reach(rays, light, reach);
@@ -30,7 +30,7 @@ class FilterSearch {
 
   HWY_INLINE void visit(const typename PacketSolid<T>::Part& part, std::size_t lane, B where, V) {
     Met<T> seen;
-    meet(solid_.leaves[part.first], rays_, lane, where, seen);
+    meet(solid_.leaves[part.first], rays_, lane, where, seen, costs);
     B vague = seen.unsure;
     if (seen.met.any()) {
       if (part.positives != 1 || part.negatives != 0) vague |= seen.met;
@@ -43,7 +43,10 @@ class FilterSearch {
 
   HWY_INLINE void finish(PacketFilter<T>& found) const;
 
+  HWY_INLINE std::uint32_t alive() const { return alive_; }
+
   alignas(64) T reach[kPacketLanes];
+  PacketCosts costs;
 
  private:
   // A part that a ray passes; enter is infinite where there is none, -1 where the ray
@@ -92,6 +95,7 @@ class FilterSearch {
   const ReadyPacket<T>& rays_;
   Passage passages_[kMost];
   std::uint32_t doubtful_ = 0;
+  const std::uint32_t alive_;  // lanes
 };
 
 // Among those found before; the last of too many is no room for.
@@ -179,6 +183,7 @@ HWY_INLINE void filter_lanes(const PacketSolid<T>& solid, const RayPacket<T>& pa
   FilterSearch<T> search(solid, rays);
   walk(solid, rays, search.reach, search);
   search.finish(found);
+  found.costs = search.costs;
 }
 
 void filter_floats(const PacketSolid<float>& solid, const RayPacket<float>& rays,

@@ -17,6 +17,7 @@ struct PacketFilter {
   /// Of the lanes in `crossing`: the boundaries with 0 < t < 1, in order.
   Boundary<T> boundary[kPacketLanes][kMostCrossed];
   std::uint8_t count[kPacketLanes] = {};
+  PacketCosts costs;
 };
 
 /// The boundaries that Classifier::begin() and next() find on each ray before its

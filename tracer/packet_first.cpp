@@ -18,7 +18,9 @@ class FirstSearch {
 
  public:
   HWY_INLINE FirstSearch(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, const T* farthest)
-      : solid_(solid), changer_(solid, rays) {
+      : solid_(solid),
+        changer_(solid, rays, costs),
+        alive_(static_cast<std::uint32_t>(std::popcount(rays.tame))) {
     set_reach(rays, farthest, reach);
     std::fill_n(t_, kPacketLanes, std::numeric_limits<T>::infinity());
     std::fill_n(rival_, kPacketLanes, std::numeric_limits<T>::infinity());
@@ -63,7 +65,10 @@ class FirstSearch {
     }
   }
 
+  HWY_INLINE std::uint32_t alive() const { return alive_; }
+
   alignas(64) T reach[kPacketLanes];
+  PacketCosts costs;
 
  private:
   HWY_INLINE void note(std::size_t lane, const Change<T>& change) {
@@ -98,6 +103,7 @@ class FirstSearch {
   alignas(64) Word code_[kPacketLanes] = {};
   const PacketSolid<T>& solid_;
   Changer<T> changer_;
+  const std::uint32_t alive_;
 };
 
 template <typename T>
@@ -108,6 +114,7 @@ HWY_INLINE void find_first(const PacketSolid<T>& solid, const RayPacket<T>& pack
   if (list) walk_list<T>(solid, rays, list->entries(), search.reach, search);
   else walk(solid, rays, search.reach, search);
   search.finish(rays, found);
+  found.costs = search.costs;
 }
 
 void first_floats(const PacketSolid<float>& solid, const RayPacket<float>& rays,

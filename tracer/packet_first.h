@@ -14,6 +14,7 @@ template <typename T>
 struct PacketFirst {
   std::uint32_t hit = 0, missed = 0, doubtful = 0;  ///< lanes
   Boundary<T> boundary[kPacketLanes];               ///< of the lanes in `hit`
+  PacketCosts costs;
 };
 
 /// What Classifier::begin() and the first next() say of each ray.

@@ -41,7 +41,7 @@ struct Met {
 
 template <typename T>
 HWY_INLINE void meet(const PacketLeaf<T>& leaf, const ReadyPacket<T>& rays, std::size_t lane,
-                     Truths<T> where, Met<T>& seen) {
+                     Truths<T> where, Met<T>& seen, PacketCosts& costs) {
   using V = Numbers<T>;
   seen.leaf = leaf.leaf;
   Truths<T> inward = Truths<T>::none();
@@ -50,6 +50,7 @@ HWY_INLINE void meet(const PacketLeaf<T>& leaf, const ReadyPacket<T>& rays, std:
     where -= Codes<T>::load(rays.away_shape + lane) == shape;
     inward = where & (Codes<T>::load(rays.inward_shape + lane) == shape);
   }
+  costs.counts.primitives[static_cast<std::size_t>(leaf.kind)] += where.count();
   Spans<T> spans;
   cross(leaf, rays, lane, where, spans);
   seen.unsure = spans.unsure;
@@ -74,11 +75,13 @@ HWY_INLINE void meet(const PacketLeaf<T>& leaf, const ReadyPacket<T>& rays, std:
     seen.unsure |= joined;
     seen.met -= joined;
   }
+  costs.spans += seen.met.count();
 }
 
 /// The parts whose envelopes some lanes meet at t in [0, reach[lane]], about front
 /// to back: visitor.visit(part, lane, where, enter) for each chunk of a packet that
-/// does. The visitor may draw `reach` nearer; below 0 a lane is finished.
+/// does. The visitor may draw `reach` nearer; below 0 a lane is finished. Adds to
+/// visitor.costs for each of the visitor.alive() lanes that are not.
 template <typename T, typename Visitor>
 HWY_INLINE void walk(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, const T* reach,
                      Visitor& visitor) {
@@ -88,19 +91,25 @@ HWY_INLINE void walk(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, co
   std::uint32_t open[Hierarchy<T>::kMaxDepth + 1];
   std::size_t count = 0;
   open[count++] = 0;
+  std::uint32_t calls = 0, envelopes = 0;
   while (count > 0) {
     const PacketNode<T>& node = solid.nodes[open[--count]];
+    const std::uint32_t alive = visitor.alive();
     if (node.size == 0) {
+      envelopes += alive;
       for (std::size_t lane = 0; lane < kPacketLanes; lane += kStep) {
         V enter;
         if (!meets(node.box, rays, lane, V::load(reach + lane), enter).any()) continue;
         const std::uint32_t far = node.ascending != rays.descending[node.axis] ? 1 : 0;
         open[count++] = node.first + far;
         open[count++] = node.first + 1 - far;
+        calls += alive;
         break;
       }
       continue;
     }
+    calls += alive;
+    envelopes += alive * node.size;
     for (std::uint32_t i = node.first; i < node.first + node.size; ++i) {
       const auto& part = solid.parts[i];
       for (std::size_t lane = 0; lane < kPacketLanes; lane += kStep) {
@@ -110,6 +119,8 @@ HWY_INLINE void walk(const PacketSolid<T>& solid, const ReadyPacket<T>& rays, co
       }
     }
   }
+  visitor.costs.counts.calls += calls;
+  visitor.costs.counts.envelopes += envelopes;
 }
 
 /// The same over a tile's list.
@@ -120,8 +131,10 @@ HWY_INLINE void walk_list(const PacketSolid<T>& solid, const ReadyPacket<T>& ray
   using V = Numbers<T>;
   constexpr std::size_t kStep = hn::MaxLanes(Chunk<T>());
   if (rays.tame == 0) return;
+  std::uint32_t envelopes = 0;
   for (const auto& [from, index] : list) {
     const auto& part = solid.parts[index];
+    const std::uint32_t alive = visitor.alive();
     bool finished = true;
     for (std::size_t lane = 0; lane < kPacketLanes; lane += kStep) {
       const V far = V::load(reach + lane);
@@ -131,8 +144,10 @@ HWY_INLINE void walk_list(const PacketSolid<T>& solid, const ReadyPacket<T>& ray
       const Truths<T> where = meets(part.box, rays, lane, far, enter);
       if (where.any()) visitor.visit(part, lane, where, enter);
     }
-    if (finished) return;  // the others begin behind this one
+    if (finished) break;  // the others begin behind this one
+    envelopes += alive;
   }
+  visitor.costs.counts.envelopes += envelopes;
 }
 
 /// How far the walk goes at first: -1 for lanes that are not tame. Finite, so that

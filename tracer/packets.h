@@ -4,6 +4,7 @@
 
 #include "tracer/packet_filter.h"
 #include "tracer/packet_first.h"
+#include "tracer/ray_counts.h"
 
 namespace sir {
 
@@ -14,6 +15,9 @@ class Packets {
   /// `laid_out` belongs to `solid`.
   Packets(const Solid<T>& solid, const PacketSolid<T>& laid_out)
       : laid_out_(laid_out), classifier_(solid) {}
+
+  /// Fills the list for rays that are to go together; false where it is of no use.
+  bool list(std::span<const RayPacket<T>> rays, PartList<T>& list);
 
   /// Classifier::first() of each ray; none stays doubtful. `list`: of these rays, or
   /// null.
@@ -28,16 +32,16 @@ class Packets {
   Classifier<T>& classifier() { return classifier_; }
   const Classifier<T>& classifier() const { return classifier_; }
 
-  /// Spans that the Classifier found; packets do not count theirs.
-  std::uint64_t spans() const { return spans_; }
-
-  /// Rays that packets left in doubt.
-  std::uint64_t doubtful() const { return doubtful_; }
+  /// What was found and what that took, of packets and of the Classifier: `spans`,
+  /// `exact`, `packets`, `doubtful` and `costs`.
+  RayCounts counts() const;
 
  private:
+  void add(const PacketCosts& costs, std::uint32_t doubtful);
+
   const PacketSolid<T>& laid_out_;
   Classifier<T> classifier_;
-  std::uint64_t spans_ = 0, doubtful_ = 0;
+  RayCounts counts_;  // without the Classifier's own
 };
 
 }  // namespace sir

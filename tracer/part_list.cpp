@@ -64,6 +64,7 @@ template <typename T>
 bool PartList<T>::gather(const PacketSolid<T>& solid, std::span<const RayPacket<T>> rays) {
   constexpr T kInfinity = std::numeric_limits<T>::infinity();
   entries_.clear();
+  envelopes_ = 0;
   if (solid.nodes.empty()) return true;
   const Bundle<T> bundle(rays);
   std::array<std::uint32_t, Hierarchy<T>::kMaxDepth + 1> open;
@@ -71,6 +72,7 @@ bool PartList<T>::gather(const PacketSolid<T>& solid, std::span<const RayPacket<
   open[count++] = 0;
   while (count > 0) {
     const PacketNode<T>& node = solid.nodes[open[--count]];
+    ++envelopes_;
     if (!(bundle.entry(node.box) < kInfinity)) continue;
     if (node.size == 0) {
       open[count++] = node.first + 1;
@@ -78,6 +80,7 @@ bool PartList<T>::gather(const PacketSolid<T>& solid, std::span<const RayPacket<
       continue;
     }
     if (entries_.size() > kMost) return false;
+    envelopes_ += node.size;
     for (std::uint32_t part = node.first; part < node.first + node.size; ++part)
       if (const T from = bundle.entry(solid.parts[part].box); from < kInfinity)
         entries_.push_back({from, part});

@@ -28,10 +28,14 @@ class PartList {
 
   std::span<const Entry> entries() const { return entries_; }
 
+  /// Boxes that the last bundle was tested against.
+  std::uint64_t envelopes() const { return envelopes_; }
+
  private:
   static constexpr std::size_t kMost = 512;
 
   std::vector<Entry> entries_;
+  std::uint64_t envelopes_ = 0;
 };
 
 }  // namespace sir

@@ -5,7 +5,7 @@ namespace sir {
 template <typename T>
 PixelTracer<T>::PixelTracer(const Model<T>& model, const TraceOptions& options) {
   if constexpr (kInPackets)
-    if (options.engine == Engine::gates && model.laid_out)
+    if (options.engine == Engine::gates && options.packets && model.laid_out)
       fast_ = std::make_unique<Fast>(model, options);
   if (!fast_) plain_ = std::make_unique<Plain>(Tracer<T>(model, options));
 }

@@ -7,7 +7,8 @@
 namespace sir {
 
 /// render() by options.antialias, which is not `none`; same arguments, same errors. A
-/// stop request takes effect within a ray; the planes of what was not finished are black.
+/// stop request ends it within 256 points of each thread; the planes of what was not finished are
+/// black.
 RenderResult render_antialiased(const Scene& scene, const RenderOptions& options,
                                 const std::function<void(double)>& progress = {},
                                 std::stop_token stop = {});

@@ -43,7 +43,7 @@ class PointSampler {
 
   /// The samples of the points; colours.size() == points.size(). The same for any
   /// number of threads. `progress`, if given, is called as by render(). A stop
-  /// request takes effect within a ray of each thread; false then.
+  /// request takes effect within 256 points of each thread; false then.
   bool trace(std::span<const ScreenPoint> points, std::span<Rgb8> colours,
              const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
 

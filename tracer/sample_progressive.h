@@ -24,8 +24,9 @@ using ShowStage = std::function<void(const Planes& picture, const Stage& stage)>
 /// and 1. Then all that was never traced is. Where antialiasing is asked for, the
 /// antialiased image, made anew, is the last picture.
 ///
-/// `show` is called after each stage; its time does not count. A stop request takes effect within a
-/// ray; the planes are then the latest picture, and `complete` is false.
+/// `show` is called after each stage; its time does not count. A stop request takes effect
+/// within 256 pixels of each thread; the planes are then the latest picture, and `complete`
+/// is false.
 RenderResult render_progressive(const Scene& scene, const RenderOptions& options,
                                 const ShowStage& show, std::stop_token stop = {},
                                 const std::function<void(double)>& progress = {});

@@ -17,6 +17,7 @@ struct TraceOptions {
   PastLimit past_limit = PastLimit::zero;
   EffectSet allowed_effects;
   Engine engine = Engine::gates;
+  bool packets = true;                   ///< rays go by packets, where the engine is `gates`
   Formulas formulas = Formulas::robust;  ///< what render() makes the Model for
 
   /// Of those allowed, the effects that the depth limit leaves room for: at a

@@ -28,9 +28,7 @@ Wavefront<T>::Wavefront(const Model<T>& model, const TraceOptions& options)
 template <typename T>
 RayCounts Wavefront<T>::counts() const {
   RayCounts counts = counts_;
-  counts.exact = packets_.classifier().exact_intersections();
-  counts.spans += packets_.spans();
-  counts.costs = packets_.classifier().costs();
+  counts += packets_.counts();
   counts += deep_.counts();
   return counts;
 }
@@ -77,7 +75,7 @@ void Wavefront<T>::find_points(int depth) {
   hits_.resize(std::max(hits_.size(), rays_.packets()));
   through_.resize(hits_.size());
   hit_lanes_.clear();
-  const bool listed = depth == 1 && list_.gather(*model_.laid_out, rays_.all());
+  const bool listed = depth == 1 && packets_.list(rays_.all(), list_);
   for (std::size_t p = 0; p < rays_.packets(); ++p) {
     const RayPacket<T>& rays = rays_.packet(p);
     const PacketFirst<T> found = packets_.first(rays, listed ? &list_ : nullptr);
