@@ -52,7 +52,8 @@ void expect_same(const Planes& found, const Planes& expected, const std::string&
 // Every way there is to the image of a model. `packets` counts those sent.
 template <typename T>
 void expect_the_plain_image(const Scene& original, RenderOptions options, std::uint64_t& packets) {
-  const Scene scene = recentred(original, offset_for(original, kPrecision<T>));
+  const Recentred moved(original, offset_for(original, kPrecision<T>));
+  const Scene& scene = moved;
   const Model<T> model(scene, options.trace.possible_effects());
   const Planes plain = plain_image(model, options);
   options.threads = 1;
@@ -203,7 +204,7 @@ SampleSource plain_samples(const Model<T>& model, Tracer<T>& tracer, ImageSize s
 template <typename T>
 void expect_plain_samples(const Scene& scene, RenderOptions options) {
   options.precision = kPrecision<T>;
-  const Model<T> model(recentred(scene, offset_for(scene, kPrecision<T>)),
+  const Model<T> model(Recentred(scene, offset_for(scene, kPrecision<T>)),
                        options.trace.possible_effects());
   TraceOptions plain = options.trace;
   plain.engine = Engine::roth;
