@@ -113,6 +113,28 @@ TEST(Numeric, InverseOfRandomMatricesIsAccurate) {
   }
 }
 
+// Regular, singular and nearly singular ones, of every size: the short way to tell
+// says what the inverse says.
+TEST(Numeric, WhatIsInvertibleHasAnInverse) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int invertible = 0, refused = 0;
+  for (int n = 0; n < 20000; ++n) {
+    glm::dmat3 m(0);
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3; ++r) m[c][r] = n % 4 == 0 ? std::round(2 * any(random)) : any(random);
+    if (n % 3 == 0) m[2] = 2.0 * m[0] - m[1];
+    for (int c = 0; c < 3; ++c)
+      m[c] *= std::ldexp(1.0, static_cast<int>((n % 5) * 200 * any(random)));
+    Inverse inverse;
+    const bool expected = invert(m, inverse);
+    EXPECT_EQ(is_invertible(m), expected) << n;
+    ++(expected ? invertible : refused);
+  }
+  EXPECT_GT(invertible, 1000);
+  EXPECT_GT(refused, 1000);
+}
+
 TEST(Numeric, ScaledNearOneIsExactPowerOfTwo) {
   for (const glm::dvec3& v : {glm::dvec3(3e-160, -4e-161, 0), glm::dvec3(5e150, 1, -7e149)}) {
     const glm::dvec3 scaled = scaled_near_one(v);

@@ -23,9 +23,10 @@ struct Bounds {
   }
   /// Whether the two come as near as `gap` along every axis.
   bool near(const Bounds& other, T gap) const {
-    return low.x <= other.high.x + gap && other.low.x <= high.x + gap &&
-           low.y <= other.high.y + gap && other.low.y <= high.y + gap &&
-           low.z <= other.high.z + gap && other.low.z <= high.z + gap;
+    // No branch: which of the six it is cannot be foreseen.
+    return bool((low.x <= other.high.x + gap) & (other.low.x <= high.x + gap) &
+                (low.y <= other.high.y + gap) & (other.low.y <= high.y + gap) &
+                (low.z <= other.high.z + gap) & (other.low.z <= high.z + gap));
   }
   glm::vec<3, T> centre() const { return low / T(2) + high / T(2); }
 };
