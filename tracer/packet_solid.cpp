@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tracer/large_pages.h"
+#include "tracer/memory_hints.h"
 
 namespace sir {
 namespace {

@@ -4,7 +4,7 @@
 #include <bit>
 #include <unordered_map>
 
-#include "tracer/large_pages.h"
+#include "tracer/memory_hints.h"
 
 namespace sir {
 namespace {
