@@ -13,10 +13,8 @@ T largest(const glm::vec<3, T>& v) {
 template <typename T>
 const Reflectance<T>& reflectance_at(const Model<T>& model, const Boundary<T>& boundary,
                                      PointCena<T> point) {
-  const Leaf<T>& leaf = model.solid.leaves[boundary.leaf];
-  const Texture<T>& texture = model.textures[leaf.surfaces[boundary.face]];
-  if (texture.uniform() || !model.effects.texture) return texture.at({0, 0}, false);
-  return texture.at(texture_uv(leaf.kind, boundary.face, leaf.placement.unapply(point)), true);
+  return reflectance_on(model, boundary.leaf, boundary.face,
+                        [&] { return model.solid.leaves[boundary.leaf].placement.unapply(point); });
 }
 
 template <typename T>

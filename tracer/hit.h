@@ -28,6 +28,17 @@ struct Hit {
 template <typename T>
 Hit<T> hit_at(const Model<T>& model, const RayCena<T>& ray, const Boundary<T>& boundary);
 
+/// The coefficients of a leaf's face; `local()` is the point on it in SC_LOCAL, and
+/// asked for where they depend on that only.
+template <typename T, typename Local>
+const Reflectance<T>& reflectance_on(const Model<T>& model, std::uint32_t leaf, std::uint8_t face,
+                                     Local&& local) {
+  const Leaf<T>& of = model.solid.leaves[leaf];
+  const Texture<T>& texture = model.textures[of.surfaces[face]];
+  if (texture.uniform() || !model.effects.texture) return texture.first();
+  return texture.at(texture_uv(of.kind, face, local()), true);
+}
+
 /// The coefficients of the surface at a boundary, without the rest.
 template <typename T>
 const Reflectance<T>& reflectance_at(const Model<T>& model, const Boundary<T>& boundary,

@@ -157,20 +157,16 @@ HWY_INLINE void FilterSearch<T>::finish(PacketFilter<T>& found) const {
   for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
     if (!(found.crossing >> lane & 1u)) continue;
     std::uint8_t count = 0;
-    const auto cross = [&](T t, T error, Word word) {
+    const auto cross = [&](T t, Word word) {
       const auto code = static_cast<std::uint32_t>(word);
-      found.boundary[lane][count++] = {t,
-                                       error,
-                                       code >> kLeafShift,
-                                       static_cast<std::uint8_t>(code >> kFaceShift & 7u),
-                                       (code & kEntering) != 0,
-                                       (code & kLeafEntering) != 0};
+      found.crossed[lane][count++] = {t, code >> kLeafShift,
+                                      static_cast<std::uint8_t>(code >> kFaceShift & 7u)};
     };
     for (const Passage& passage : passages_) {
       const T enter = passage.enter[lane], leave = passage.leave[lane];
       if (!(enter < kInfinity)) break;
-      if (enter > 0) cross(enter, passage.enter_error[lane], passage.enter_code[lane]);
-      if (leave < kInfinity) cross(leave, passage.leave_error[lane], passage.leave_code[lane]);
+      if (enter > 0) cross(enter, passage.enter_code[lane]);
+      if (leave < kInfinity) cross(leave, passage.leave_code[lane]);
     }
     found.count[lane] = count;
   }

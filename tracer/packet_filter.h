@@ -14,9 +14,14 @@ struct PacketFilter {
   static constexpr std::size_t kMostCrossed = 2 * kMostParts;
 
   std::uint32_t open = 0, crossing = 0, doubtful = 0;  ///< lanes
-  /// Of the lanes in `crossing`: the boundaries with 0 < t < 1, in order.
-  Boundary<T> boundary[kPacketLanes][kMostCrossed];
-  std::uint8_t count[kPacketLanes] = {};
+  struct Crossed {
+    T t;                 ///< within (0,1)
+    std::uint32_t leaf;  ///< as in Boundary
+    std::uint8_t face;
+  };
+  /// Of the lanes in `crossing`: the boundaries, in order.
+  Crossed crossed[kPacketLanes][kMostCrossed];
+  std::uint8_t count[kPacketLanes];
   PacketCosts costs;
 };
 

@@ -127,10 +127,11 @@ HWY_INLINE Vectors<T> outward(PrimitiveKind kind, int face, Truths<T> where, Vec
 
 template <typename T>
 HWY_INLINE void hits_of_leaf(const Leaf<T>& leaf, int face, Truths<T> where, Vectors<T> point,
-                             Vectors<T>& normal) {
+                             Vectors<T>& normal, PacketHits<T>& hits, std::size_t lane) {
   const auto& to = leaf.placement;
   const auto divisors = Vectors<T>::of(to.divisors);
   const Vectors<T> local = times(to.numerators, point - Vectors<T>::of(to.translation)) / divisors;
+  local.store(where, hits.local, lane);
   const Vectors<T> n = times(outward(leaf.kind, face, where, local) / divisors, to.numerators);
   normal = select(where, n, normal);
 }
@@ -163,7 +164,8 @@ HWY_INLINE void hits_of(const Model<T>& model, const RayPacket<T>& rays, std::ui
       const auto one = static_cast<std::uint32_t>(
           code[lane + static_cast<std::size_t>(std::countr_zero(left.bits()))]);
       const Truths<T> same = left & (codes == Codes<T>(one));
-      hits_of_leaf(model.solid.leaves[one >> 3], static_cast<int>(one & 7u), same, point, normal);
+      hits_of_leaf(model.solid.leaves[one >> 3], static_cast<int>(one & 7u), same, point, normal,
+                   hits, lane);
       left -= same;
     }
     normal = unit(normal, fine);

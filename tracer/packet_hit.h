@@ -13,10 +13,14 @@ struct PacketHits {
   alignas(64) T point[3][kPacketLanes];
   alignas(64) T incident[3][kPacketLanes];  ///< unit, along the ray; E is its opposite
   alignas(64) T normal[3][kPacketLanes];    ///< unit, on E's side
+  alignas(64) T local[3][kPacketLanes];     ///< the point in SC_LOCAL of its primitive
   alignas(64) T error[kPacketLanes];        ///< as Hit::error
 
   PointCena<T> point_of(std::size_t lane) const {
     return {{point[0][lane], point[1][lane], point[2][lane]}};
+  }
+  PointLocal<T> local_of(std::size_t lane) const {
+    return {{local[0][lane], local[1][lane], local[2][lane]}};
   }
   VectorCena<T> incident_of(std::size_t lane) const {
     return {{incident[0][lane], incident[1][lane], incident[2][lane]}};

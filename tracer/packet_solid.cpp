@@ -80,10 +80,14 @@ PacketSolid<T>::PacketSolid(const Solid<T>& solid)
   }
 }
 
+// Codes of leaf and face have 32 bits.
+constexpr std::size_t kMostPacketLeaves = std::size_t{1} << 27;
+
 template <typename T>
 std::shared_ptr<const PacketSolid<T>> lay_out(const Solid<T>& solid) {
   if constexpr (!std::is_same_v<T, long double>)
-    if (solid.textbook.empty() && solid.products.complete)
+    if (solid.textbook.empty() && solid.products.complete &&
+        solid.leaves.size() <= kMostPacketLeaves)
       return std::make_shared<PacketSolid<T>>(solid);
   return {};
 }

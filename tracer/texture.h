@@ -38,6 +38,8 @@ class Texture {
   Reflectance<T> first_, second_;
   T cells_u_, cells_v_;
   bool chequer_;
+  bool few_;                              // both numbers of cells are
+  std::int32_t last_u_ = 0, last_v_ = 0;  // cells, then
 };
 
 }  // namespace sir

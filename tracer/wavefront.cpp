@@ -108,7 +108,8 @@ std::uint32_t Wavefront<T>::add_nodes(std::size_t p, const PacketFirst<T>& found
     const auto lane = static_cast<std::size_t>(std::countr_zero(left));
     const Sender& sender = senders_[kPacketLanes * p + lane];
     const Boundary<T>& boundary = found.boundary[lane];
-    const Reflectance<T>& k = reflectance_at(model_, boundary, hits_[p].point_of(lane));
+    const Reflectance<T>& k = reflectance_on(model_, boundary.leaf, boundary.face,
+                                             [&] { return hits_[p].local_of(lane); });
     bool asks = false;
     const auto made =
         branching_before_refraction(model_.effects, k, boundary.entering, sender.index, asks);

@@ -77,7 +77,8 @@ class Wavefront {
   void hear_light(const PointLight<T>& source);
   void hear_through_glass(const RayPacket<T>& rays, const PointLight<T>& source,
                           Colour<T> (&arriving)[kPacketLanes]);
-  T transmission_at(const RayPacket<T>& rays, std::size_t lane, const Boundary<T>& boundary) const;
+  T transmission_at(const RayPacket<T>& rays, std::size_t lane, std::uint32_t leaf,
+                    std::uint8_t face, T t) const;
   void light_up(const Asked& asked, const Colour<T>& arriving);
   void branch(int depth);
   void branch_off(std::uint32_t node, bool mirror, int depth, const RayCena<T>& ray, T error);
@@ -114,6 +115,8 @@ class Wavefront {
   std::vector<Directions> through_;  // refracted, of hits_
 };
 
+// What is asked of every ray stands here, to be compiled in place.
+
 template <typename T>
 template <typename Visit>
 void Wavefront<T>::for_each_hit(Visit&& visit) {
@@ -121,6 +124,38 @@ void Wavefront<T>::for_each_hit(Visit&& visit) {
   for (std::size_t p = 0; p < hit_lanes_.size(); ++p)
     for (std::uint32_t left = hit_lanes_[p]; left != 0; left &= left - 1)
       visit(node++, p, static_cast<std::size_t>(std::countr_zero(left)));
+}
+
+template <typename T>
+inline bool Wavefront<T>::wanted(std::uint32_t node, T weight) const {
+  if (!(weight > 0)) return model_.effects.exhaustive;
+  return detail(node).path_weight * weight >= static_cast<T>(options_.cutoff);
+}
+
+// The most that the pixel may get from the mirrored or the refracted ray.
+template <typename T>
+inline Colour<T> Wavefront<T>::most_of_branch(std::uint32_t node, bool mirror, int depth) const {
+  const T weight = mirror ? nodes_[node].mirror_weight : nodes_[node].through_weight;
+  if (!(weight > 0)) return Colour<T>(0);
+  const T path_weight = detail(node).path_weight;
+  if (depth >= options_.depth_limit) {
+    if (options_.past_limit == PastLimit::zero) return Colour<T>(0);
+    return path_weight * weight * model_.background;
+  }
+  if (!wanted(node, weight)) return Colour<T>(0);
+  return path_weight * weight * bound_.at(depth + 1);
+}
+
+// Whether a ray of the node that brings at most `most` need not be cast.
+template <typename T>
+inline bool Wavefront<T>::spares(std::uint32_t node, const Colour<T>& most,
+                                 const PointLight<T>* from, int depth) {
+  return !level_to_come(come_[nodes_[node].pixel], most) && decided(node, from, depth);
+}
+
+template <typename T>
+inline void Wavefront<T>::come_to(std::uint32_t pixel, const Colour<T>& colour) {
+  if (sparing_) come_[pixel] += colour;
 }
 
 }  // namespace sir

@@ -75,7 +75,8 @@ void Wavefront<T>::hear_through_glass(const RayPacket<T>& rays, const PointLight
     if (!(found.hit >> lane & 1u)) continue;
     const Boundary<T>& boundary = found.boundary[lane];
     if (!(boundary.t < 1) || Numeric<T>::same_event(boundary.t, T(1))) continue;
-    if (transmission_at(rays, lane, boundary) > 0) glass |= 1u << lane;
+    if (transmission_at(rays, lane, boundary.leaf, boundary.face, boundary.t) > 0)
+      glass |= 1u << lane;
     else arriving[lane] = Colour<T>(0);
   }
   if (glass == 0) return;
@@ -89,7 +90,8 @@ void Wavefront<T>::hear_through_glass(const RayPacket<T>& rays, const PointLight
     }
     T passed = 1;
     for (std::size_t b = 0; b < filters.count[lane] && passed > 0; ++b) {
-      const T kt = transmission_at(rays, lane, filters.boundary[lane][b]);
+      const auto& crossed = filters.crossed[lane][b];
+      const T kt = transmission_at(rays, lane, crossed.leaf, crossed.face, crossed.t);
       passed = kt > 0 ? passed * kt : T(0);
     }
     arriving[lane] = source.intensity * passed;
@@ -97,9 +99,12 @@ void Wavefront<T>::hear_through_glass(const RayPacket<T>& rays, const PointLight
 }
 
 template <typename T>
-T Wavefront<T>::transmission_at(const RayPacket<T>& rays, std::size_t lane,
-                                const Boundary<T>& boundary) const {
-  return reflectance_at(model_, boundary, rays.ray(lane).at(boundary.t)).transmission;
+T Wavefront<T>::transmission_at(const RayPacket<T>& rays, std::size_t lane, std::uint32_t leaf,
+                                std::uint8_t face, T t) const {
+  const auto local = [&] {
+    return model_.solid.leaves[leaf].placement.unapply(rays.ray(lane).at(t));
+  };
+  return reflectance_on(model_, leaf, face, local).transmission;
 }
 
 template <typename T>

@@ -6,20 +6,8 @@
 
 namespace sir {
 
-template <typename T>
-void Wavefront<T>::come_to(std::uint32_t pixel, const Colour<T>& colour) {
-  if (sparing_) come_[pixel] += colour;
-}
-
-// Whether a ray of the node that brings at most `most` need not be cast, since the
-// pixel's bytes are known without what it still awaits. `from`: the light that it
-// goes to, or null where all lights of this depth were heard.
-template <typename T>
-bool Wavefront<T>::spares(std::uint32_t node, const Colour<T>& most, const PointLight<T>* from,
-                          int depth) {
-  return !level_to_come(come_[nodes_[node].pixel], most) && decided(node, from, depth);
-}
-
+// Whether the pixel's bytes are known without what it still awaits. `from`: the light
+// that the node's ray goes to, or null where all lights of this depth were heard.
 template <typename T>
 bool Wavefront<T>::decided(std::uint32_t node, const PointLight<T>* from, int depth) {
   const std::uint32_t pixel = nodes_[node].pixel;
@@ -52,33 +40,7 @@ T Wavefront<T>::slack(int depth) const {
          std::max({most.r, most.g, most.b});
 }
 
-template <typename T>
-bool Wavefront<T>::wanted(std::uint32_t node, T weight) const {
-  if (!(weight > 0)) return model_.effects.exhaustive;
-  return detail(node).path_weight * weight >= static_cast<T>(options_.cutoff);
-}
-
-// The most that the pixel may get from the mirrored or the refracted ray.
-template <typename T>
-Colour<T> Wavefront<T>::most_of_branch(std::uint32_t node, bool mirror, int depth) const {
-  const T weight = mirror ? nodes_[node].mirror_weight : nodes_[node].through_weight;
-  if (!(weight > 0)) return Colour<T>(0);
-  const T path_weight = detail(node).path_weight;
-  if (depth >= options_.depth_limit) {
-    if (options_.past_limit == PastLimit::zero) return Colour<T>(0);
-    return path_weight * weight * model_.background;
-  }
-  if (!wanted(node, weight)) return Colour<T>(0);
-  return path_weight * weight * bound_.at(depth + 1);
-}
-
-#define SIR_INSTANTIATE(T)                                                                        \
-  template void Wavefront<T>::come_to(std::uint32_t, const Colour<T>&);                           \
-  template bool Wavefront<T>::spares(std::uint32_t, const Colour<T>&, const PointLight<T>*, int); \
-  template Colour<T> Wavefront<T>::most_of_branch(std::uint32_t, bool, int) const;                \
-  template bool Wavefront<T>::wanted(std::uint32_t, T) const;
-SIR_INSTANTIATE(float)
-SIR_INSTANTIATE(double)
-#undef SIR_INSTANTIATE
+template bool Wavefront<float>::decided(std::uint32_t, const PointLight<float>*, int);
+template bool Wavefront<double>::decided(std::uint32_t, const PointLight<double>*, int);
 
 }  // namespace sir
