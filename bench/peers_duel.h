@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "bench/speed_table.h"
+#include "bench/peers_table.h"
 #include "tracer/planes.h"
 #include "tracer/scene.h"
 
@@ -27,9 +27,6 @@ struct Arena {
   bool povray = false;           ///< it is there
   int rounds = 5;
 };
-
-/// Whether `povray` can be started.
-bool has_povray();
 
 /// Compares the images first; where they are not the same picture nothing is timed, and the
 /// answer is false. Then double, float and POV-Ray take turns. Times are the CPU's, user's and

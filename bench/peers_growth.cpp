@@ -1,4 +1,4 @@
-#include "bench/speed_growth.h"
+#include "bench/peers_growth.h"
 
 #include <cmath>
 #include <cstdio>
