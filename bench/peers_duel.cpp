@@ -19,6 +19,8 @@ namespace {
 constexpr int kFar = 16;            // levels
 constexpr double kMostFar = 0.001;  // of the pixels
 
+constexpr ImageSize kWhole{500, 500};
+
 double our_seconds(const Contest& contest, const Arena& arena, const char* precision) {
   return seconds_of(sir_words(arena.sir, contest.size, contest.depth, precision));
 }
@@ -86,23 +88,23 @@ bool run_contest(const Contest& contest, const Arena& arena, SpeedTable& table) 
   return true;
 }
 
-void compare_pixels(const Contest& contest, const Arena& arena, SpeedTable& table) {
+void run_extrapolated(const Contest& contest, const Arena& arena, SpeedTable& table) {
   if (!arena.povray) return;
   Contest one = contest, small = contest, large = contest;
   one.size = {1, 1};
-  large.size = {500, 500};
-  const auto pixels = [](const Contest& of) { return static_cast<double>(of.size.pixels() - 1); };
+  large.size = kWhole;
   std::vector<double> ours, theirs;
   for (int round = 0; round < arena.rounds; ++round) {
-    const double start = our_seconds(one, arena, "double");
-    const double pov_start = pov_seconds(one);
-    ours.push_back((our_seconds(large, arena, "double") - start) / pixels(large));
-    theirs.push_back((pov_seconds(small) - pov_start) / pixels(small));
+    ours.push_back(our_seconds(large, arena, "double"));
+    const double start = pov_seconds(one);
+    const double pixel = (pov_seconds(small) - start) / double(small.size.pixels() - 1);
+    theirs.push_back(start + pixel * double(large.size.pixels() - 1));
   }
   char detail[64];
-  std::snprintf(detail, sizeof detail, "a pixel: POV %.0f us / double %.2f us",
-                1e6 * Quartiles(theirs).middle, 1e6 * Quartiles(ours).middle);
-  table.line(contest.name, detail, Quartiles(ratios(theirs, ours)));
+  std::snprintf(detail, sizeof detail, "POV about %.0f s / double %.3f s", Quartiles(theirs).middle,
+                Quartiles(ours).middle);
+  table.line(contest.name.substr(0, contest.name.find(' ')) + " 500x500", detail,
+             Quartiles(ratios(theirs, ours)), contest.in_double);
 }
 
 double peak_megabytes(const Scene& scene, ImageSize size, const Arena& arena) {

@@ -34,10 +34,10 @@ struct Arena {
 /// Throws std::runtime_error where a program fails.
 bool run_contest(const Contest& contest, const Arena& arena, SpeedTable& table);
 
-/// What a pixel costs either program, start and parsing taken off, where POV-Ray is too slow
-/// for an image of the size that ours gets: its pixels are those of `contest`, ours those of
-/// 500x500. Without povray nothing is told.
-void compare_pixels(const Contest& contest, const Arena& arena, SpeedTable& table);
+/// A frame of 500x500 where POV-Ray is too slow for one: its time is its start and parsing, and as
+/// many pixels as there are at what the pixels of `contest`'s small image cost on the average.
+/// Ours is measured, in double; `contest.in_double` is demanded. Without povray nothing is told.
+void run_extrapolated(const Contest& contest, const Arena& arena, SpeedTable& table);
 
 /// The most memory that `sir render` took, in MB of 2^20 bytes.
 double peak_megabytes(const Scene& scene, ImageSize size, const Arena& arena);
