@@ -52,7 +52,7 @@ bool same_picture(const Contest& contest, const Arena& arena) {
   const Difference difference = compare(ours, viewer::read_png(arena.folder / "theirs.png"));
   const std::size_t pixels = contest.size.pixels();
   const bool same = static_cast<double>(difference.far) <= kMostFar * static_cast<double>(pixels);
-  std::printf("%-26s %zu of %zu pixels differ, %zu by more than %d levels%s\n",
+  std::printf("%-23s %zu of %zu pixels differ, %zu by more than %d levels%s\n",
               contest.name.c_str(), difference.any, pixels, difference.far, kFar,
               same ? "" : "   NOT THE SAME PICTURE, not timed");
   return same;

@@ -20,7 +20,7 @@ std::vector<double> ratios(const std::vector<double>& a, const std::vector<doubl
 }
 
 void SpeedTable::begin(const std::string& title) {
-  std::printf("\n%s\n%-26s %-38s %9s  %-19s %7s %7s\n", title.c_str(), "", "", "median",
+  std::printf("\n%s\n%-23s %-34s %7s  %-16s %5s %5s\n", title.c_str(), "", "", "median",
               "quartiles", "must", "aim");
 }
 
@@ -28,10 +28,10 @@ void SpeedTable::line(const std::string& what, const std::string& detail, const 
                       Demand demand) {
   char range[32];
   std::snprintf(range, sizeof range, "%.3g..%.3g", figure.low, figure.high);
-  std::printf("%-26s %-38s %9.4g  %-19s", what.c_str(), detail.c_str(), figure.middle, range);
+  std::printf("%-23s %-34s %7.4g  %-16s", what.c_str(), detail.c_str(), figure.middle, range);
   const auto column = [](double bound) {
-    if (bound > 0) std::printf(" %7.4g", bound);
-    else std::printf(" %7s", "");
+    if (bound > 0) std::printf(" %5.4g", bound);
+    else std::printf(" %5s", "");
   };
   const auto met = [&](double bound) {
     return bound <= 0 || (demand.at_most ? figure.middle <= bound : figure.middle >= bound);
