@@ -8,6 +8,7 @@
 #include "cli/interrupt.h"
 #include "cli/options.h"
 #include "cli/session.h"
+#include "tracer/memory_hints.h"
 
 namespace {
 
@@ -23,6 +24,7 @@ void report(std::string_view reason) {
 
 int main(int argc, char** argv) {
   using namespace sir::cli;
+  sir::keep_freed_memory();
   install_signal_handlers();
   int code = kFailed;
   try {

@@ -58,7 +58,7 @@ struct Score {
 };
 
 // What a long double's t may be off by, handed out as a double: each is known to
-// Numeric::kTrustedRoundings, 1024 of them.
+// Numeric::kTrustedRoundings.
 constexpr double kLongRelativeError = kWiderThanDouble<long double> ? 0x1p-52 : kRelativeErrorAtAll;
 
 using Scores = std::array<Score, 3>;  // double, float, long double

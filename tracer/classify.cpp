@@ -128,7 +128,7 @@ bool Classifier<T>::gather(std::uint32_t index) {
 template <typename T>
 bool Classifier<T>::cross_exactly(std::uint32_t index, Span<T>& span) {
   ++exact_intersections_;
-  return intersect_exactly(solid_.leaves[index].kind, solid_.placements[index], ray_,
+  return intersect_exactly(solid_.leaves[index].kind, solid_.placement(index), ray_,
                            start_t_ * Numeric<T>::kEpsilon / 8, span);
 }
 

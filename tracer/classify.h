@@ -165,7 +165,7 @@ class Classifier {
   T chained(T a, T b) const { return chain_ * std::max(std::abs(a), std::abs(b)); }
   T reach(const Event& event) const { return event.error + 2 * chained(event.t, event.t); }
   void consider(const Change& change, Nearest& nearest) const;
-  Presence first_surely(T farthest, Boundary<T>& boundary);
+  Presence first_surely(T farthest, Boundary<T>& boundary, T& near);
   bool joined(const Crossed& crossed) const;
   bool cross_exactly(std::uint32_t leaf, Span<T>& span);
   void join_start(std::uint32_t leaf, Span<T>& span) const;

@@ -14,15 +14,25 @@ template <typename T>
 bool Classifier<T>::first(const RayCena<T>& ray, const RayStart<T>& start, Boundary<T>& boundary,
                           T farthest) {
   if (solid_.leaves.size() > kFew && products_serve(ray) && set_out(ray, start)) {
-    const Presence found = first_surely(farthest, boundary);
+    T near = farthest;
+    const Presence found = first_surely(farthest, boundary, near);
     if (found != Presence::doubtful) return found == Presence::present;
+    // It is hardly ever further than where a product surely changes. If it is nearer than
+    // what was looked at, by more than events that are one can reach, nothing beyond has
+    // a part in it.
+    if (near < farthest) {
+      begin(ray, start, near);
+      if (next(boundary) && boundary.t + boundary.error + 2 * chained(boundary.t, 0) < near)
+        return true;
+    }
   }
   begin(ray, start, farthest);
   return next(boundary);
 }
 
 template <typename T>
-typename Classifier<T>::Presence Classifier<T>::first_surely(T farthest, Boundary<T>& boundary) {
+typename Classifier<T>::Presence Classifier<T>::first_surely(T farthest, Boundary<T>& boundary,
+                                                             T& near) {
   Nearest nearest;
   add_costs(solid_.products.hierarchy.for_each_met_in_order(
       BoxProbe<T>(ray_), farthest, [&](std::uint32_t index, T limit) {
@@ -34,7 +44,9 @@ typename Classifier<T>::Presence Classifier<T>::first_surely(T farthest, Boundar
         return std::min(limit, nearest.change.event.t + 2 * reach(nearest.change.event));
       }));
   const Event& event = nearest.change.event;
-  if (nearest.change.certainty != Presence::present)
+  if (nearest.change.certainty == Presence::present)
+    near = std::min(near, T(1.0625) * (event.t + event.error));
+  else
     return nearest.doubtful_from < std::numeric_limits<T>::infinity() ? Presence::doubtful
                                                                       : Presence::absent;
   if (!(nearest.doubtful_from > event.t + reach(event))) return Presence::doubtful;

@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "tracer/error.h"
-#include "tracer/large_pages.h"
+#include "tracer/memory_hints.h"
 #include "tracer/numeric.h"
 #include "tracer/scene_file.h"
 

@@ -59,9 +59,9 @@ struct Numeric {
   /// in units of the coordinates that went into it.
   static constexpr T kStartRoundings = 8 * kGrain;
 
-  /// Boundaries are worked out with more digits where they may be off by more
-  /// than this many roundings.
-  static constexpr T kTrustedRoundings = 1024;
+  /// Boundaries are worked out with more digits where they may be off by more than this
+  /// many roundings: 1e-12 of t in double, 1e-4 in float.
+  static constexpr T kTrustedRoundings = std::numeric_limits<T>::digits < 53 ? 1024 : 4096;
 
   /// Up to as many primitives times kEpsilon, chains of all of them are still short
   /// on a ray; beyond, it pays to know how many can be in one place.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tracer/large_pages.h"
+#include "tracer/memory_hints.h"
 
 namespace sir {
 namespace {
@@ -40,7 +40,6 @@ PacketLeaf<T>::PacketLeaf(const Leaf<T>& from, std::uint32_t index)
     for (int row = 0; row < 3; ++row) {
       const T entry = from.placement.numerators[i][row];
       numerators[3 * i + row] = entry;
-      sizes[3 * i + row] = std::abs(entry);
       if (i != row && entry != 0) diagonal = false;
     }
   }

@@ -17,7 +17,7 @@ struct PacketLeaf {
   explicit PacketLeaf(const Leaf<T>& leaf, std::uint32_t index);
 
   T translation[3], translation_slack[3];
-  T numerators[9], sizes[9];  ///< of LOCAL_CENA's inverse, and their magnitudes
+  T numerators[9];  ///< of LOCAL_CENA's inverse
   T origin_weight[3], direction_weight[3], divisors[3];
   T unit = 1, unit_error = 0;
   T pace = 1, stretch = 1;

@@ -35,11 +35,19 @@ struct Places {
   Numbers<T> t, error;
 };
 
+// A row of a matrix, times v; or of its entries' magnitudes.
 template <typename T, bool kDiagonal>
 HWY_INLINE Numbers<T> row_of(const T* columns, int row, const Numbers<T>* v) {
   using V = Numbers<T>;
   if constexpr (kDiagonal) return V(columns[4 * row]) * v[row];
   return V(columns[row]) * v[0] + V(columns[3 + row]) * v[1] + V(columns[6 + row]) * v[2];
+}
+template <typename T, bool kDiagonal>
+HWY_INLINE Numbers<T> row_of_sizes(const T* columns, int row, const Numbers<T>* v) {
+  using V = Numbers<T>;
+  if constexpr (kDiagonal) return abs(V(columns[4 * row])) * v[row];
+  return abs(V(columns[row])) * v[0] + abs(V(columns[3 + row])) * v[1] +
+         abs(V(columns[6 + row])) * v[2];
 }
 
 // `kDiagonal`: as if the other entries were not there. That changes nothing but
@@ -58,9 +66,10 @@ HWY_INLINE void to_local(const PacketLeaf<T>& leaf, const ReadyPacket<T>& rays, 
   for (int row = 0; row < 3; ++row) {
     local.o[row] = row_of<T, kDiagonal>(leaf.numerators, row, o);
     local.d[row] = row_of<T, kDiagonal>(leaf.numerators, row, d);
-    local.o_error[row] = V(leaf.origin_weight[row]) * row_of<T, kDiagonal>(leaf.sizes, row, way);
+    local.o_error[row] =
+        V(leaf.origin_weight[row]) * row_of_sizes<T, kDiagonal>(leaf.numerators, row, way);
     local.d_error[row] =
-        V(leaf.direction_weight[row]) * row_of<T, kDiagonal>(leaf.sizes, row, size);
+        V(leaf.direction_weight[row]) * row_of_sizes<T, kDiagonal>(leaf.numerators, row, size);
   }
   if (leaf.divided)
     for (int row = 0; row < 3; ++row) {

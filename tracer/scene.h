@@ -32,10 +32,10 @@ struct CsgNode {
   std::string name;
   bool composite = false;
   Operation operation = Operation::union_of;
-  std::size_t left = 0, right = 0;
   PrimitiveKind kind = PrimitiveKind::cube;
+  bool surface_per_face = false;  ///< written in the file one per face
+  std::size_t left = 0, right = 0;
   std::array<std::int64_t, 6> surfaces{};  ///< surface number of each face
-  bool surface_per_face = false;           ///< written in the file one per face
   Placement placement;
   std::size_t line = 0;           ///< where the node stands in its file; 0: in none
   std::size_t surfaces_line = 0;  ///< where its surface numbers stand

@@ -4,7 +4,7 @@
 #include <bit>
 #include <unordered_map>
 
-#include "tracer/large_pages.h"
+#include "tracer/memory_hints.h"
 
 namespace sir {
 namespace {
@@ -173,7 +173,8 @@ Solid<T> build_solid(const Scene& scene, Formulas formulas) {
                                              [](const CsgNode& node) { return !node.composite; }));
   Solid<T> solid;
   reserve_all(solid.leaves, primitives);
-  reserve_all(solid.placements, primitives);
+  constexpr bool kHoldsDouble = std::numeric_limits<T>::digits >= 53;
+  if (!kHoldsDouble) reserve_all(solid.placements, primitives);
   solid.polish.reserve(scene.tree.nodes.size());
   Shapes shapes(scene.tree.nodes);
   std::vector<GateKind> kind_of;
@@ -202,7 +203,7 @@ Solid<T> build_solid(const Scene& scene, Formulas formulas) {
         ++inputs[gate];
         if (item.complemented) ++solid.gates[gate].at_rest;
       }
-      solid.placements.push_back(node.placement);
+      if (!kHoldsDouble) solid.placements.push_back(node.placement);
       continue;
     }
     const Rewritten made = rewrite(node.operation, item.complemented);
@@ -234,7 +235,7 @@ Solid<T> build_solid(const Scene& scene, Formulas formulas) {
   solid.hierarchy = Hierarchy<T>(boxes);
   if (formulas == Formulas::textbook) {
     for (std::size_t leaf = 0; leaf < solid.leaves.size(); ++leaf)
-      solid.textbook.emplace_back(solid.leaves[leaf].kind, solid.placements[leaf]);
+      solid.textbook.emplace_back(solid.leaves[leaf].kind, solid.placement(leaf));
   } else {
     solid.products = build_products<T>(solid, boxes);
   }

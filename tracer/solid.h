@@ -87,11 +87,18 @@ struct Solid {
   std::vector<Leaf<T>> leaves;
   std::vector<Gate> gates;
   std::vector<PolishStep> polish;
-  std::vector<Placement> placements;      ///< of each leaf, as in the file
   Hierarchy<T> hierarchy;                 ///< over the leaves' envelopes
   Products<T> products;                   ///< none for the textbook's formulas
+  std::vector<Placement> placements;      ///< of each leaf, where T cannot hold the file's numbers
   std::vector<TextbookLeaf<T>> textbook;  ///< of each leaf, for rays to be traced by the textbook's
                                           ///< formulas; else none
+
+  /// Where a leaf's primitive is put, as in the file.
+  Placement placement(std::size_t leaf) const {
+    if (!placements.empty()) return placements[leaf];
+    const auto& held = leaves[leaf].placement;
+    return {glm::dmat3(held.linear), glm::dvec3(held.translation)};
+  }
 };
 
 /// Builds the solid of a scene that has been read (surfaces known, matrices

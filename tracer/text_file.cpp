@@ -14,7 +14,7 @@
 #include <memory>
 
 #include "tracer/error.h"
-#include "tracer/large_pages.h"
+#include "tracer/memory_hints.h"
 
 namespace sir {
 namespace {
