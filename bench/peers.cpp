@@ -140,8 +140,8 @@ int run(Settings settings) {
   if (settings.wants("threads")) measure_threads(settings.rounds, table);
   if (settings.wants("embree")) same = measure_embree(settings.rounds, table) && same;
   if (settings.wants("orbit"))
-    measure_orbit(read_scene(fs::path(settings.images) / "whitted"), settings.frames, arena.povray,
-                  scratch.path, table);
+    measure_orbit(read_scene(fs::path(settings.images) / "whitted"), settings.rounds,
+                  settings.frames, arena.povray, scratch.path, table);
   std::printf("\n%d missed%s\n", table.missed(), same ? "" : "; NOT THE SAME");
   fs::current_path("/");
   return same ? 0 : 1;
@@ -162,7 +162,7 @@ int main(int count, char** arguments) try {
   app.add_option("--rounds", settings.rounds,
                  "rounds (5; of the cuts and the five images 3 at most)")
       ->check(CLI::Range(1, 1000));
-  app.add_option("--frames", settings.frames, "frames of the orbit (36)")
+  app.add_option("--frames", settings.frames, "frames of an orbit (36)")
       ->check(CLI::Range(1, 10'000));
   app.add_option("--images", settings.images, "folder of the five images (images)");
   app.add_option("--sir", settings.sir, "the program (beside this one)");
