@@ -23,7 +23,12 @@ Wavefront<T>::Wavefront(const Model<T>& model, const TraceOptions& options)
       packets_(model.solid, *model.laid_out),
       deep_(model, options),
       bound_(model, options),
-      sparing_(may_spare(model, options) && bound_.bounded()) {}
+      sparing_(may_spare(model, options) && bound_.bounded()),
+      lights_from_(model.lights.size()) {
+  Colour<T> sum(0);
+  for (std::size_t light = model.lights.size(); light-- > 0;)
+    lights_from_[light] = sum += model.lights[light].intensity;
+}
 
 template <typename T>
 RayCounts Wavefront<T>::counts() const {

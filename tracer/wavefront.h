@@ -91,7 +91,8 @@ class Wavefront {
   Packets<T> packets_;
   Tracer<T> deep_;  // beyond kBreadth
   RadianceBound<T> bound_;
-  bool sparing_;  // rays that cannot change a byte are not cast
+  bool sparing_;                        // rays that cannot change a byte are not cast
+  std::vector<Colour<T>> lights_from_;  // the intensities of a light and all after it
   RayCounts counts_;
   RayStream<T> rays_, next_, shadow_;
   PartList<T> list_;                            // of the primary rays

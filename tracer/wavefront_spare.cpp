@@ -2,7 +2,6 @@
 // books. A pixel's points of one depth lie side by side, so what it still awaits is
 // summed up only where a ray brings less than a level by itself, which is rare.
 #include "tracer/pixel_ledger.h"
-#include "tracer/shade.h"
 #include "tracer/wavefront.h"
 
 namespace sir {
@@ -28,12 +27,12 @@ bool Wavefront<T>::decided(std::uint32_t node, const PointLight<T>* from, int de
   std::uint32_t first = node, end = node + 1;
   while (first > first_ && of_pixel(first - 1)) --first;
   while (end < nodes_.size() && of_pixel(end)) ++end;
+  const Colour<T> rest =
+      from ? lights_from_[static_cast<std::size_t>(from - model_.lights.data())] : Colour<T>(0);
   Colour<T> awaited(0);
   for (std::uint32_t n = first; n < end; ++n) {
-    if (from)
-      for (const PointLight<T>* light = from; light != model_.lights.data() + model_.lights.size();
-           ++light)
-        awaited += detail(n).path_weight * most_of(*detail(n).reflectance, *light);
+    const Reflectance<T>& k = *detail(n).reflectance;
+    awaited += detail(n).path_weight * (rest * (k.diffuse + k.specular));
     awaited += most_of_branch(n, true, depth) + most_of_branch(n, false, depth);
     if (level_to_come(come_[pixel], awaited)) return false;
   }
