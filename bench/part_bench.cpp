@@ -59,7 +59,7 @@ struct Prepared {
   std::vector<RayCena<T>> rays;
   std::vector<Hit<T>> hits;
 
-  explicit Prepared(const Scene& scene) : model(scene, {}), rays(primary_rays(model, 100)) {
+  explicit Prepared(const Scene& scene) : model(scene, {}), rays(primary_rays(model, 96)) {
     std::shuffle(rays.begin(), rays.end(), std::mt19937_64(8));
     Classifier<T> classifier(model.solid);
     Boundary<T> boundary;

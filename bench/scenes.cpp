@@ -211,9 +211,9 @@ std::string MadeScene::name() const {
 
 Scene made_scene(const MadeScene& wanted) { return Maker(wanted).make(); }
 
-std::vector<MadeScene> made_suite() {
+std::vector<MadeScene> made_suite(std::span<const int> sizes) {
   std::vector<MadeScene> suite;
-  for (const int primitives : kSizes) {
+  for (const int primitives : sizes) {
     suite.push_back({.primitives = primitives});
     suite.push_back({.primitives = primitives, .chain = true});
     suite.push_back({.primitives = primitives, .cut = MadeScene::Cut::root});

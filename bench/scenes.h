@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct MadeScene {
   /// would write it who knows that A u B - C = (A - C) u (B - C); the same image.
   enum class Cut : std::uint8_t { none, root, distributed };
 
-  int primitives = 300;  ///< the cutting cube is not among them
+  int primitives = 300;  ///< at least 1; the cutting cube is not among them
   bool chain = false;    ///< a left-deep chain of unions in random order; else a balanced tree,
                          ///< halved by place
   bool spheres = false;  ///< a union of spheres and nothing else
@@ -36,6 +37,6 @@ Scene made_scene(const MadeScene& wanted);
 inline constexpr int kSizes[] = {300, 3'000, 30'000};
 
 /// Everything that is measured: of each size balanced, chain, cut, distributed and spheres.
-std::vector<MadeScene> made_suite();
+std::vector<MadeScene> made_suite(std::span<const int> sizes = kSizes);
 
 }  // namespace sir::bench

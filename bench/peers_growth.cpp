@@ -1,4 +1,4 @@
-#include "bench/speed_growth.h"
+#include "bench/peers_growth.h"
 
 #include <cmath>
 #include <cstdio>
@@ -82,12 +82,13 @@ void measure_growth(int rounds, SpeedTable& table) {
   table.begin("our own frames: 500x500, shadows, one thread, CPU time of tracing alone");
   const Group &small = groups.front(), &large = groups.back();
   const double growth = double(large.primitives) / small.primitives;
-  const Demand exponent{0.25, 0.20, true};
-  table.line("exponent 300 to 30,000",
-             milliseconds("double", small.t_balanced, "to", large.t_balanced),
-             Quartiles(exponents(small.t_balanced, large.t_balanced, growth)), exponent);
-  table.line("exponent 300 to 30,000", milliseconds("float", small.t_float, "to", large.t_float),
-             Quartiles(exponents(small.t_float, large.t_float, growth)), exponent);
+  const auto tell = [&](const char* what, const std::vector<double>& few,
+                        const std::vector<double>& many) {
+    table.line(what, milliseconds("300:", few, "30,000:", many),
+               Quartiles(exponents(few, many, growth)), {0.25, 0.20, true});
+  };
+  tell("exponent in double", small.t_balanced, large.t_balanced);
+  tell("exponent in float", small.t_float, large.t_float);
   for (const Group& group : groups) {
     const std::string n = std::to_string(group.primitives);
     table.line("double/float " + n,

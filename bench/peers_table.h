@@ -1,4 +1,4 @@
-// The lines of speed_bench's table: a median with its quartiles beside what is demanded.
+// The lines of the tables that `peers` prints: a median with its quartiles beside what is demanded.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct Quartiles {
 /// themselves.
 std::vector<double> ratios(const std::vector<double>& a, const std::vector<double>& b);
 
-/// What a figure should come to. 0: nothing is demanded.
+/// What a figure should come to. 0: nothing is demanded, or aimed at.
 struct Demand {
   double must = 0, aim = 0;
   bool at_most = false;  ///< else at least

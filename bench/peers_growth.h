@@ -2,7 +2,7 @@
 // cut and a second thread do to them.
 #pragma once
 
-#include "bench/speed_table.h"
+#include "bench/peers_table.h"
 
 namespace sir::bench {
 

@@ -1,4 +1,4 @@
-#include "bench/speed_table.h"
+#include "bench/peers_table.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -20,7 +20,7 @@ std::vector<double> ratios(const std::vector<double>& a, const std::vector<doubl
 }
 
 void SpeedTable::begin(const std::string& title) {
-  std::printf("\n%s\n%-26s %-38s %9s  %-19s %7s %7s\n", title.c_str(), "", "", "median",
+  std::printf("\n%s\n%-23s %-34s %7s  %-16s %5s %5s\n", title.c_str(), "", "", "median",
               "quartiles", "must", "aim");
 }
 
@@ -28,18 +28,22 @@ void SpeedTable::line(const std::string& what, const std::string& detail, const 
                       Demand demand) {
   char range[32];
   std::snprintf(range, sizeof range, "%.3g..%.3g", figure.low, figure.high);
-  std::printf("%-26s %-38s %9.4g  %-19s", what.c_str(), detail.c_str(), figure.middle, range);
-  if (demand.must > 0) {
-    const auto met = [&](double bound) {
-      return demand.at_most ? figure.middle <= bound : figure.middle >= bound;
-    };
-    std::printf(" %7.4g", demand.must);
-    if (demand.aim > 0) std::printf(" %7.4g", demand.aim);
-    else std::printf(" %7s", "");
-    std::printf("  %s", !met(demand.must)                    ? "MISSED"
-                        : demand.aim > 0 && !met(demand.aim) ? "met"
-                        : demand.aim > 0                     ? "aim met"
-                                                             : "met");
+  std::printf("%-23s %-34s %7.4g  %-16s", what.c_str(), detail.c_str(), figure.middle, range);
+  const auto column = [](double bound) {
+    if (bound > 0) std::printf(" %5.4g", bound);
+    else std::printf(" %5s", "");
+  };
+  const auto met = [&](double bound) {
+    return bound <= 0 || (demand.at_most ? figure.middle <= bound : figure.middle >= bound);
+  };
+  if (demand.must > 0 || demand.aim > 0) {
+    column(demand.must);
+    column(demand.aim);
+    const bool aimed = demand.aim > 0 && met(demand.aim);
+    std::printf("  %s", !met(demand.must)  ? "MISSED"
+                        : aimed            ? "aim met"
+                        : demand.must <= 0 ? "aim missed"
+                                           : "met");
     missed_ += !met(demand.must);
   }
   std::printf("\n");

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "bench/speed_table.h"
+#include "bench/peers_table.h"
 #include "tracer/planes.h"
 #include "tracer/scene.h"
 
@@ -28,19 +28,16 @@ struct Arena {
   int rounds = 5;
 };
 
-/// Whether `povray` can be started.
-bool has_povray();
-
 /// Compares the images first; where they are not the same picture nothing is timed, and the
 /// answer is false. Then double, float and POV-Ray take turns. Times are the CPU's, user's and
 /// system's, of the whole process, parsing included. Without povray only ours are told.
 /// Throws std::runtime_error where a program fails.
 bool run_contest(const Contest& contest, const Arena& arena, SpeedTable& table);
 
-/// What a pixel costs either program, start and parsing taken off, where POV-Ray is too slow
-/// for an image of the size that ours gets: its pixels are those of `contest`, ours those of
-/// 500x500. Without povray nothing is told.
-void compare_pixels(const Contest& contest, const Arena& arena, SpeedTable& table);
+/// A frame of 500x500 where POV-Ray is too slow for one: its time is its start and parsing, and as
+/// many pixels as there are at what the pixels of `contest`'s small image cost on the average.
+/// Ours is measured, in double; `contest.in_double` is demanded. Without povray nothing is told.
+void run_extrapolated(const Contest& contest, const Arena& arena, SpeedTable& table);
 
 /// The most memory that `sir render` took, in MB of 2^20 bytes.
 double peak_megabytes(const Scene& scene, ImageSize size, const Arena& arena);
