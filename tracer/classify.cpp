@@ -6,14 +6,6 @@
 #include "tracer/surface_point.h"
 
 namespace sir {
-namespace {
-
-template <typename T>
-T largest(const glm::vec<3, T>& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-}  // namespace
 
 template <typename T>
 Classifier<T>::Classifier(const Solid<T>& solid, Engine engine, Fusing fusing)

@@ -6,11 +6,6 @@ namespace sir {
 namespace {
 
 template <typename T>
-T largest(const glm::vec<3, T>& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-template <typename T>
 struct Stretch {
   T from, to;
 };

@@ -51,9 +51,7 @@ typename Classifier<T>::Presence Classifier<T>::first_surely(T farthest, Boundar
                                                                       : Presence::absent;
   if (!(nearest.doubtful_from > event.t + reach(event))) return Presence::doubtful;
   if (nearest.inside > (nearest.change.inside ? 1 : 0)) return Presence::doubtful;
-  const auto& d = ray_.direction.v;
-  const T speed = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-  if (!(reach(event) * speed <= solid_.products.gap)) return Presence::doubtful;
+  if (!(reach(event) * largest(ray_.direction.v) <= solid_.products.gap)) return Presence::doubtful;
   boundary = boundary_of(event, !nearest.change.inside);
   return Presence::present;
 }

@@ -1,14 +1,6 @@
 #include "tracer/hit.h"
 
 namespace sir {
-namespace {
-
-template <typename T>
-T largest(const glm::vec<3, T>& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-}  // namespace
 
 template <typename T>
 const Reflectance<T>& reflectance_at(const Model<T>& model, const Boundary<T>& boundary,

@@ -105,6 +105,12 @@ glm::vec<3, T> magnitudes(const glm::vec<3, T>& v) {
   return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
 }
 
+/// The largest component of v by magnitude.
+template <typename T>
+T largest(const glm::vec<3, T>& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
 /// `v` times a power of two that brings its largest component near 1 (zero stays
 /// zero), so that squares neither overflow nor underflow. Exact.
 template <typename T>
