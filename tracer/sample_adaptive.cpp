@@ -1,8 +1,8 @@
 #include "tracer/sample_adaptive.h"
 
 #include <algorithm>
-#include <bit>
 #include <array>
+#include <bit>
 #include <cstdlib>
 #include <unordered_map>
 
