@@ -145,12 +145,6 @@ void Wavefront<T>::refract(std::size_t p, std::uint32_t asking, std::uint32_t no
 }
 
 template <typename T>
-RayStart<T> Wavefront<T>::leaving(std::uint32_t node, T error, bool through) const {
-  const Detail& detail = this->detail(node);
-  return {detail.leaf, detail.leaf_entering == through, error};
-}
-
-template <typename T>
 void Wavefront<T>::branch(int depth) {
   const EffectSet& effects = model_.effects;
   if (!effects.reflection && !effects.refraction) return;

@@ -146,6 +146,12 @@ inline Colour<T> Wavefront<T>::most_of_branch(std::uint32_t node, bool mirror, i
   return path_weight * weight * bound_.at(depth + 1);
 }
 
+template <typename T>
+inline RayStart<T> Wavefront<T>::leaving(std::uint32_t node, T error, bool through) const {
+  const Detail& detail = this->detail(node);
+  return {detail.leaf, detail.leaf_entering == through, error};
+}
+
 // Whether a ray of the node that brings at most `most` need not be cast.
 template <typename T>
 inline bool Wavefront<T>::spares(std::uint32_t node, const Colour<T>& most,
