@@ -36,11 +36,12 @@ struct Bounds {
 template <typename T>
 Bounds<T> bounds_of(PrimitiveKind kind, const LocalCena<T>& placement);
 
-/// A ray prepared for many box tests.
+/// A ray prepared for many box tests. Its origin may be `widening` aside along any axis.
 template <typename T>
 class BoxProbe {
  public:
-  explicit BoxProbe(const RayCena<T>& ray) : origin_(ray.origin.v) {
+  explicit BoxProbe(const RayCena<T>& ray, T widening = 0)
+      : before_(ray.origin.v - widening), beyond_(ray.origin.v + widening) {
     for (int axis = 0; axis < 3; ++axis) {
       const T d = ray.direction.v[axis];
       reciprocal_[axis] = T(1) / d;
@@ -58,8 +59,8 @@ class BoxProbe {
     constexpr T kMissed = std::numeric_limits<T>::quiet_NaN();
     T enter = 0, leave = farthest;
     for (int axis = 0; axis < 3; ++axis) {
-      const T to_low = box.low[axis] - origin_[axis];
-      const T to_high = box.high[axis] - origin_[axis];
+      const T to_low = box.low[axis] - beyond_[axis];
+      const T to_high = box.high[axis] - before_[axis];
       if (parallel_[axis]) {
         if (to_low > 0 || to_high < 0) return kMissed;
         continue;
@@ -73,7 +74,7 @@ class BoxProbe {
   }
 
  private:
-  glm::vec<3, T> origin_, reciprocal_;
+  glm::vec<3, T> before_, beyond_, reciprocal_;
   bool parallel_[3];
 };
 

@@ -41,11 +41,21 @@ bool Classifier<T>::set_out(const RayCena<T>& ray, const RayStart<T>& start) {
   ray_ = ray;
   start_ = start;
   secondary_ = start.leaf != RayStart<T>::kNowhere;
+  widening_ = widening(start);
   const T speed = largest(ray.direction.v);
   if (!(speed > 0) || !std::isfinite(speed)) return false;  // no ray in T
   if (solid_.textbook.empty()) set_pace(speed);
   else behind_ = kTextbookStart<T> / length(ray.direction);
   return true;
+}
+
+// How far a primitive may lie from the start that join_start() takes to be there. What
+// is no number, or too large for one, is anything.
+template <typename T>
+T Classifier<T>::widening(const RayStart<T>& start) const {
+  if (start.leaf == RayStart<T>::kNowhere || !solid_.textbook.empty()) return 0;
+  const T widening = start.error * solid_.spread;
+  return widening >= 0 ? widening : std::numeric_limits<T>::infinity();
 }
 
 template <typename T>
@@ -57,10 +67,11 @@ void Classifier<T>::begin(const RayCena<T>& ray, const RayStart<T>& start, T far
     combine_all();
     return;
   }
-  add_costs(solid_.hierarchy.for_each_met(BoxProbe<T>(ray), farthest, [&](std::uint32_t leaf) {
-    gather(leaf);
-    return false;
-  }));
+  add_costs(
+      solid_.hierarchy.for_each_met(BoxProbe<T>(ray, widening_), farthest, [&](std::uint32_t leaf) {
+        gather(leaf);
+        return false;
+      }));
   settle();
 }
 

@@ -153,7 +153,8 @@ class Classifier {
     T doubtful_from = std::numeric_limits<T>::infinity();
     int inside = 0;
   };
-  bool products_serve(const RayCena<T>& ray) const;
+  T widening(const RayStart<T>& start) const;
+  bool products_serve(const RayCena<T>& ray, const RayStart<T>& start) const;
   std::uint32_t met_at(std::uint32_t leaf);
   bool find_members(const ProductRange& product);
   Presence presence_of(const ProductRange& product);
@@ -199,6 +200,7 @@ class Classifier {
   bool tame_ = true;  // no component of the direction is lost to underflow
   T pace_ = 1;        // a power of two that brings the direction near 1
   T behind_ = 0;      // secondary rays: up to here nothing is reported
+  T widening_ = 0;    // secondary rays: by so much boxes may miss them
   T start_t_ = 0;     // secondary rays: the t that is worth the origin's coordinates
   std::vector<Crossed> spans_;
   std::vector<Event> events_;

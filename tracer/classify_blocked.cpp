@@ -35,12 +35,12 @@ bool Classifier<T>::blocked(const RayCena<T>& ray, const RayStart<T>& start, T c
   if (!set_out(ray, start)) return false;
   const T speed = largest(ray.direction.v);
   const T roundings = Numeric<T>::kBoxRoundings * Numeric<T>::kEpsilon;
-  const bool clear = products_serve(ray) && chain_ * speed <= solid_.products.gap &&
+  const bool clear = products_serve(ray, start) && chain_ * speed <= solid_.products.gap &&
                      chain_ * speed + roundings * (largest(ray.origin.v) + speed) < clearance;
   if (clear) {
     Presence found = Presence::absent;
     add_costs(solid_.products.hierarchy.for_each_met_in_order(
-        BoxProbe<T>(ray), T(1), [&](std::uint32_t index, T farthest) {
+        BoxProbe<T>(ray, widening_), T(1), [&](std::uint32_t index, T farthest) {
           const Presence one = presence_of(solid_.products.list[index]);
           if (one == Presence::doubtful) found = one;
           if (one != Presence::present) return farthest;
@@ -58,10 +58,11 @@ bool Classifier<T>::blocked(const RayCena<T>& ray, const RayStart<T>& start, T c
 
 // Whether the products stand for the solid, as far as this Classifier goes.
 template <typename T>
-bool Classifier<T>::products_serve(const RayCena<T>& ray) const {
+bool Classifier<T>::products_serve(const RayCena<T>& ray, const RayStart<T>& start) const {
   const T speed = largest(ray.direction.v);
   return engine_ == Engine::gates && solid_.products.complete && fusing_.within_ulps &&
-         fusing_.nudge == 0 && speed > 0 && std::isfinite(speed);
+         fusing_.nudge == 0 && speed > 0 && std::isfinite(speed) &&
+         widening(start) <= solid_.products.gap;
 }
 
 // The leaf's span on this ray, worked out once.
@@ -144,11 +145,11 @@ bool Classifier<T>::joined(const Crossed& crossed) const {
          (at_start(span.enter, span.enter_error) || at_start(span.leave, span.leave_error));
 }
 
-#define SIR_INSTANTIATE(T)                                                        \
-  template bool Classifier<T>::blocked(const RayCena<T>&, const RayStart<T>&, T); \
-  template bool Classifier<T>::products_serve(const RayCena<T>&) const;           \
-  template std::uint32_t Classifier<T>::met_at(std::uint32_t);                    \
-  template bool Classifier<T>::find_members(const ProductRange&);                 \
+#define SIR_INSTANTIATE(T)                                                                  \
+  template bool Classifier<T>::blocked(const RayCena<T>&, const RayStart<T>&, T);           \
+  template bool Classifier<T>::products_serve(const RayCena<T>&, const RayStart<T>&) const; \
+  template std::uint32_t Classifier<T>::met_at(std::uint32_t);                              \
+  template bool Classifier<T>::find_members(const ProductRange&);                           \
   template bool Classifier<T>::joined(const Crossed&) const;
 SIR_INSTANTIATE(float)
 SIR_INSTANTIATE(double)

@@ -13,7 +13,7 @@ namespace sir {
 template <typename T>
 bool Classifier<T>::first(const RayCena<T>& ray, const RayStart<T>& start, Boundary<T>& boundary,
                           T farthest) {
-  if (solid_.leaves.size() > kFew && products_serve(ray) && set_out(ray, start)) {
+  if (solid_.leaves.size() > kFew && products_serve(ray, start) && set_out(ray, start)) {
     T near = farthest;
     const Presence found = first_surely(farthest, boundary, near);
     if (found != Presence::doubtful) return found == Presence::present;
@@ -35,7 +35,7 @@ typename Classifier<T>::Presence Classifier<T>::first_surely(T farthest, Boundar
                                                              T& near) {
   Nearest nearest;
   add_costs(solid_.products.hierarchy.for_each_met_in_order(
-      BoxProbe<T>(ray_), farthest, [&](std::uint32_t index, T limit) {
+      BoxProbe<T>(ray_, widening_), farthest, [&](std::uint32_t index, T limit) {
         const Change change = change_of(solid_.products.list[index], limit);
         if (change.certainty == Presence::absent) return limit;
         consider(change, nearest);

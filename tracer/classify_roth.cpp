@@ -23,7 +23,7 @@ bool combined(Operation operation, bool left, bool right) {
 template <typename T>
 void Classifier<T>::gather_in_order(const RayCena<T>& ray, T farthest) {
   if (envelope_tree_) {
-    envelope_tree_->visit(BoxProbe<T>(ray), farthest, visits_, costs_);
+    envelope_tree_->visit(BoxProbe<T>(ray, widening_), farthest, visits_, costs_);
   } else {
     visits_.clear();
     for (std::uint32_t step = 0; step < solid_.polish.size(); ++step)

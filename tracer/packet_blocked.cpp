@@ -153,7 +153,7 @@ template <typename T>
 HWY_INLINE void find_lanes(const PacketSolid<T>& solid, const RayPacket<T>& packet, T clearance,
                            PacketBlocked& found) {
   const T roundings = Numeric<T>::kBoxRoundings * Numeric<T>::kEpsilon;
-  ReadyPacket<T> rays(packet, solid.shapes);
+  ReadyPacket<T> rays(packet, &solid);
   std::uint32_t clear = 0;
   for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
     const T far = std::max({std::abs(rays.origin[0][lane]), std::abs(rays.origin[1][lane]),

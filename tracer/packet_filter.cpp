@@ -175,7 +175,7 @@ HWY_INLINE void FilterSearch<T>::finish(PacketFilter<T>& found) const {
 template <typename T>
 HWY_INLINE void filter_lanes(const PacketSolid<T>& solid, const RayPacket<T>& packet,
                              PacketFilter<T>& found) {
-  const ReadyPacket<T> rays(packet, solid.shapes);
+  const ReadyPacket<T> rays(packet, &solid);
   FilterSearch<T> search(solid, rays);
   walk(solid, rays, search.reach, search);
   search.finish(found);

@@ -109,7 +109,7 @@ class FirstSearch {
 template <typename T>
 HWY_INLINE void find_first(const PacketSolid<T>& solid, const RayPacket<T>& packet,
                            const PartList<T>* list, PacketFirst<T>& found) {
-  const ReadyPacket<T> rays(packet, solid.shapes);
+  const ReadyPacket<T> rays(packet, &solid);
   FirstSearch<T> search(solid, rays, packet.farthest);
   if (list) walk_list<T>(solid, rays, list->entries(), search.reach, search);
   else walk(solid, rays, search.reach, search);

@@ -15,7 +15,7 @@ void intersect_chunks(const PacketLeaf<T>& leaf, const RayPacket<T>& packet,
                       PacketSpans<T>& found) {
   RayPacket<T> free = packet;
   std::fill_n(free.start_leaf, kPacketLanes, RayStart<T>::kNowhere);
-  const ReadyPacket<T> rays(free, {});
+  const ReadyPacket<T> rays(free, nullptr);
   found.unsure = rays.wild;
   for (std::size_t lane = 0; lane < kPacketLanes; lane += hn::Lanes(Chunk<T>())) {
     Spans<T> spans;

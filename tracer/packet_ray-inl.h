@@ -22,7 +22,9 @@ struct ReadyPacket {
   static constexpr std::uint32_t kNoShape = RayStart<T>::kNowhere;
 
   alignas(64) T origin[3][kPacketLanes];
-  alignas(64) T paced[3][kPacketLanes];  ///< direction times pace
+  alignas(64) T before[3][kPacketLanes];  ///< origin, and by so much boxes may miss it ...
+  alignas(64) T beyond[3][kPacketLanes];  ///< ... on either side: see BoxProbe
+  alignas(64) T paced[3][kPacketLanes];   ///< direction times pace
   alignas(64) T reciprocal[3][kPacketLanes];
   alignas(64) T pace[kPacketLanes];
   alignas(64) T speed[kPacketLanes];            ///< largest component of the direction
@@ -37,10 +39,11 @@ struct ReadyPacket {
   T least_pace = 0, most_pace = 0;  ///< of the tame lanes
   bool descending[3] = {};          ///< most tame lanes go down along the axis
 
-  ReadyPacket(const RayPacket<T>& packet, const std::vector<std::uint32_t>& shapes);
+  /// `solid` may be null for free rays.
+  ReadyPacket(const RayPacket<T>& packet, const PacketSolid<T>* solid);
 
  private:
-  void ready_lanes(const RayPacket<T>& packet, std::size_t lane);
+  void ready_lanes(const RayPacket<T>& packet, const PacketSolid<T>* solid, std::size_t lane);
 };
 
 template <typename T>
@@ -62,7 +65,8 @@ HWY_INLINE Numbers<T> pace_of(Numbers<T> speed) {
 }
 
 template <typename T>
-HWY_INLINE void ReadyPacket<T>::ready_lanes(const RayPacket<T>& packet, std::size_t lane) {
+HWY_INLINE void ReadyPacket<T>::ready_lanes(const RayPacket<T>& packet, const PacketSolid<T>* solid,
+                                            std::size_t lane) {
   using V = Numbers<T>;
   using Limits = std::numeric_limits<T>;
   const Truths<T> active = truths_of<T>(packet.active >> lane);
@@ -77,6 +81,10 @@ HWY_INLINE void ReadyPacket<T>::ready_lanes(const RayPacket<T>& packet, std::siz
   const V factor = pace_of(fastest);
   Truths<T> fine = moving & (fastest >= V(Limits::min())) & (factor >= V(Limits::min())) &
                    (factor <= V(Limits::max()));
+  const V error = V::load(start_error + lane);
+  const Truths<T> starts = !(error < V(T(0)));
+  const V widening = select(starts, error * V(solid ? solid->spread : T(0)), V(T(0)));
+  fine &= widening <= V(solid ? solid->gap : T(0));
   for (int axis = 0; axis < 3; ++axis) {
     const V paced_d = d[axis] * factor;
     fine &= (d[axis] == V(T(0))) | (abs(paced_d) > V(Numeric<T>::kWellAboveUnderflow));
@@ -86,21 +94,21 @@ HWY_INLINE void ReadyPacket<T>::ready_lanes(const RayPacket<T>& packet, std::siz
     const V most(Limits::max());
     const V bounded = lesser(greater(once, -most), most);
     o[axis].store(origin[axis] + lane);
+    (o[axis] - widening).store(before[axis] + lane);
+    (o[axis] + widening).store(beyond[axis] + lane);
     paced_d.store(paced[axis] + lane);
     bounded.store(reciprocal[axis] + lane);
   }
   factor.store(pace + lane);
   fastest.store(speed + lane);
-  const V error = V::load(start_error + lane);
-  select(error < V(T(0)), V(T(0)), far / fastest).store(start_t + lane);
+  select(starts, far / fastest, V(T(0))).store(start_t + lane);
   still |= (active - moving).bits() << lane;
   wild |= ((active & moving) - fine).bits() << lane;
   tame |= (active & fine).bits() << lane;
 }
 
 template <typename T>
-HWY_INLINE ReadyPacket<T>::ReadyPacket(const RayPacket<T>& packet,
-                                       const std::vector<std::uint32_t>& shapes) {
+HWY_INLINE ReadyPacket<T>::ReadyPacket(const RayPacket<T>& packet, const PacketSolid<T>* solid) {
   std::uint32_t secondary = 0;
   for (std::size_t lane = 0; lane < kPacketLanes; ++lane)
     secondary |= std::uint32_t{packet.start_leaf[lane] != RayStart<T>::kNowhere} << lane;
@@ -110,7 +118,7 @@ HWY_INLINE ReadyPacket<T>::ReadyPacket(const RayPacket<T>& packet,
   if (secondary != 0) {
     for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
       const bool starts = secondary >> lane & 1u, inward = packet.inward >> lane & 1u;
-      const std::uint32_t shape = starts ? shapes[packet.start_leaf[lane]] : kNoShape;
+      const std::uint32_t shape = starts ? solid->shapes[packet.start_leaf[lane]] : kNoShape;
       away_shape[lane] = inward ? kNoShape : shape;
       inward_shape[lane] = inward ? shape : kNoShape;
       if (starts) start_error[lane] = packet.start_error[lane];
@@ -120,7 +128,7 @@ HWY_INLINE ReadyPacket<T>::ReadyPacket(const RayPacket<T>& packet,
   using V = Numbers<T>;
   V least(std::numeric_limits<T>::infinity()), most(T(0));
   for (std::size_t lane = 0; lane < kPacketLanes; lane += hn::MaxLanes(Chunk<T>())) {
-    ready_lanes(packet, lane);
+    ready_lanes(packet, solid, lane);
     const Truths<T> tame_lanes = truths_of<T>(tame >> lane);
     const V own = V::load(pace + lane);
     least = select(tame_lanes, lesser(least, own), least);
@@ -143,8 +151,9 @@ HWY_INLINE Truths<T> meets(const PacketBox<T>& box, const ReadyPacket<T>& rays, 
   V leave = reach;
   enter = V(T(0));
   for (int axis = 0; axis < 3; ++axis) {
-    const V o = V::load(rays.origin[axis] + lane), r = V::load(rays.reciprocal[axis] + lane);
-    const V a = (V(box.corner[0][axis]) - o) * r, b = (V(box.corner[1][axis]) - o) * r;
+    const V r = V::load(rays.reciprocal[axis] + lane);
+    const V a = (V(box.corner[0][axis]) - V::load(rays.beyond[axis] + lane)) * r;
+    const V b = (V(box.corner[1][axis]) - V::load(rays.before[axis] + lane)) * r;
     enter = greater(enter, lesser(a, b));
     leave = lesser(leave, greater(a, b));
   }

@@ -49,6 +49,7 @@ template <typename T>
 PacketSolid<T>::PacketSolid(const Solid<T>& solid)
     : chain(2 * Numeric<T>::kCoincidentUlps * Numeric<T>::kEpsilon *
             static_cast<T>(2 * std::size_t(solid.products.crowd) + 2)),
+      spread(solid.spread),
       gap(solid.products.gap) {
   const Products<T>& products = solid.products;
   const auto from = products.hierarchy.nodes();

@@ -59,8 +59,9 @@ struct PacketSolid {
   std::vector<Part> parts;
   std::vector<PacketLeaf<T>> leaves;
   std::vector<std::uint32_t> shapes;  ///< of Solid::leaves
-  T chain = 0;  ///< boundaries that are one event reach no further, relative to t
-  T gap = 0;    ///< nor may that be further than this, in SC_CENA (Products::gap)
+  T chain = 0;   ///< boundaries that are one event reach no further, relative to t
+  T spread = 0;  ///< Solid::spread
+  T gap = 0;     ///< nor may that be further than this, in SC_CENA (Products::gap)
 };
 
 /// The solid laid out for packets; null where they cannot serve it: it is not a

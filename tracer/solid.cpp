@@ -140,6 +140,18 @@ class Shapes {
   std::unordered_map<std::size_t, std::uint32_t, Hash, Equal> number_of_;
 };
 
+// See Solid::spread.
+template <typename T>
+T spread_of(const Leaf<T>& leaf) {
+  T widest = 0;
+  for (int row = 0; row < 3; ++row) {
+    T sum = 0;
+    for (int column = 0; column < 3; ++column) sum += std::abs(leaf.placement.linear[column][row]);
+    widest = std::max(widest, sum);
+  }
+  return 4 * leaf.stretch * widest;
+}
+
 enum class GateKind : std::uint8_t { any, all };
 
 // What a composite becomes, and whether its children are complemented.
@@ -229,6 +241,7 @@ Solid<T> build_solid(const Scene& scene, Formulas formulas) {
       ++solid.gates[static_cast<std::size_t>(gate.parent)].at_rest;
   }
 
+  for (const Leaf<T>& leaf : solid.leaves) solid.spread = std::max(solid.spread, spread_of(leaf));
   std::vector<Bounds<T>> boxes;
   boxes.reserve(solid.leaves.size());
   for (const Leaf<T>& leaf : solid.leaves) boxes.push_back(bounds_of(leaf.kind, leaf.placement));

@@ -84,6 +84,10 @@ struct PolishStep {
 /// The whole solid. Immutable while rays are traced.
 template <typename T>
 struct Solid {
+  /// Times a start's error: as near comes the start to every primitive whose face it is
+  /// taken to lie on, along each axis. The largest of the primitives' condition numbers,
+  /// and room for what a tolerance in SC_LOCAL reaches at an edge.
+  T spread = 4;
   std::vector<Leaf<T>> leaves;
   std::vector<Gate> gates;
   std::vector<PolishStep> polish;
