@@ -145,6 +145,24 @@ TEST(FastPaths, StartsNearNeighboursSeenFromAfar) {
   }
 }
 
+// The envelope of a room's walls holds the light: that something blocks it cannot be
+// told by the parts alone.
+TEST(FastPaths, ALightInARoom) {
+  test::SceneBuilder build;
+  const auto walls = build.combine(Operation::difference, build.cube(glm::dvec3(-5), glm::dvec3(5)),
+                                   build.cube(glm::dvec3(-4.5), glm::dvec3(4.5)));
+  auto root = walls;
+  for (int k = 0; k < 10; ++k)
+    root = build.combine(Operation::union_of, root,
+                         build.sphere({0.8 * k - 3.6, 0.3 * (k % 3) - 1, 0.4 * (k % 4) - 1}, 0.7));
+  Scene scene = build.finish(root);
+  scene.camera = {{4, 3}, {0, 0, 0}, {0, 0, -1}, 4, {0, 1, 0}, false, 3, true};
+  scene.lighting.lights = {{{1, 3, 1}, glm::dvec3(0.6)}, {{-3, -2, 3}, glm::dvec3(0.5)}};
+  std::uint64_t packets = 0;
+  expect_plain_images(scene, {53, 40}, packets);
+  EXPECT_GT(packets, 1000u);
+}
+
 TEST(FastPaths, RandomScenes) {
   std::uint64_t packets = 0;
   for (std::uint64_t seed = 0; seed < 48; ++seed) {

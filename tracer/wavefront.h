@@ -75,6 +75,7 @@ class Wavefront {
   void ask(std::uint32_t node, const PointLight<T>& source, const PacketHits<T>& hits,
            const PacketIncidence<T>& incidence, std::size_t lane, int depth);
   void hear_light(const PointLight<T>& source);
+  std::uint32_t met_before_light(const RayPacket<T>& rays);
   void hear_through_glass(const RayPacket<T>& rays, const PointLight<T>& source,
                           Colour<T> (&arriving)[kPacketLanes]);
   T transmission_at(const RayPacket<T>& rays, std::size_t lane, std::uint32_t leaf,

@@ -52,7 +52,10 @@ void Wavefront<T>::hear_light(const PointLight<T>& source) {
     if (model_.effects.filter) {
       hear_through_glass(rays, source, arriving);
     } else {
-      const std::uint32_t blocked = packets_.blocked(rays, source.clearance);
+      // Blocked by anything is told sooner than by what first; but not of a light among
+      // the envelopes, where nothing is certain that way.
+      const std::uint32_t blocked =
+          source.clearance > 0 ? packets_.blocked(rays, source.clearance) : met_before_light(rays);
       for (std::size_t lane = 0; lane < kPacketLanes; ++lane)
         arriving[lane] = blocked >> lane & 1u ? Colour<T>(0) : source.intensity;
     }
@@ -62,6 +65,18 @@ void Wavefront<T>::hear_light(const PointLight<T>& source) {
       light_up(asked_[first + lane], arriving[lane]);
     }
   }
+}
+
+template <typename T>
+std::uint32_t Wavefront<T>::met_before_light(const RayPacket<T>& rays) {
+  const PacketFirst<T> found = packets_.first(rays);
+  std::uint32_t met = 0;
+  for (std::uint32_t left = found.hit; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    const T t = found.boundary[lane].t;
+    if (t < 1 && !Numeric<T>::same_event(t, T(1))) met |= 1u << lane;
+  }
+  return met;
 }
 
 // Most rays meet nothing, or something opaque: only glass needs all boundaries.
