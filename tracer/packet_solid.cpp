@@ -74,6 +74,7 @@ PacketSolid<T>::PacketSolid(const Solid<T>& solid)
     const ProductRange& range = products.list[order[i]];
     parts.push_back({packet_box(boxes[i]), static_cast<std::uint32_t>(leaves.size()),
                      range.positives, range.negatives});
+    all_alone = all_alone && range.positives == 1 && range.negatives == 0;
     for (std::uint32_t k = 0; k < range.positives + range.negatives; ++k) {
       const std::uint32_t leaf = products.leaves[range.first + k];
       leaves.emplace_back(solid.leaves[leaf], leaf);

@@ -59,6 +59,7 @@ struct PacketSolid {
   std::vector<Part> parts;
   std::vector<PacketLeaf<T>> leaves;
   std::vector<std::uint32_t> shapes;  ///< of Solid::leaves
+  bool all_alone = true;              ///< each part is one primitive
   T chain = 0;   ///< boundaries that are one event reach no further, relative to t
   T spread = 0;  ///< Solid::spread
   T gap = 0;     ///< nor may that be further than this, in SC_CENA (Products::gap)

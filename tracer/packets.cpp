@@ -63,7 +63,7 @@ PacketFilter<T> Packets<T>::filters(const RayPacket<T>& rays, std::uint32_t wher
   RayPacket<T> asked = rays;
   asked.active = where;
   PacketFilter<T> found = find_filters(laid_out_, asked);
-  add(found.costs, found.doubtful);
+  add(found.costs, 0);
   return found;
 }
 

@@ -29,6 +29,9 @@ class Packets {
   /// What the rays of `where` pass on the way to their light; some may stay doubtful.
   PacketFilter<T> filters(const RayPacket<T>& rays, std::uint32_t where);
 
+  /// For a ray of such a packet that is traced by the Classifier.
+  void count_doubtful() { ++counts_.doubtful; }
+
   Classifier<T>& classifier() { return classifier_; }
   const Classifier<T>& classifier() const { return classifier_; }
 

@@ -78,6 +78,8 @@ class Wavefront {
   std::uint32_t met_before_light(const RayPacket<T>& rays);
   void hear_through_glass(const RayPacket<T>& rays, const PointLight<T>& source,
                           Colour<T> (&arriving)[kPacketLanes]);
+  std::uint32_t hear_filters(const RayPacket<T>& rays, std::uint32_t where,
+                             const PointLight<T>& source, Colour<T> (&arriving)[kPacketLanes]);
   T transmission_at(const RayPacket<T>& rays, std::size_t lane, std::uint32_t leaf,
                     std::uint8_t face, T t) const;
   void light_up(const Asked& asked, const Colour<T>& arriving);

@@ -79,30 +79,46 @@ std::uint32_t Wavefront<T>::met_before_light(const RayPacket<T>& rays) {
   return met;
 }
 
-// Most rays meet nothing, or something opaque: only glass needs all boundaries.
+// Where all parts are primitives, what the rays pass is soon found. Else, and where that
+// stays in doubt: most rays meet nothing, or something opaque, and only glass needs all
+// boundaries.
 template <typename T>
 void Wavefront<T>::hear_through_glass(const RayPacket<T>& rays, const PointLight<T>& source,
                                       Colour<T> (&arriving)[kPacketLanes]) {
-  const PacketFirst<T> found = packets_.first(rays);
+  std::fill_n(arriving, kPacketLanes, source.intensity);
+  std::uint32_t left = rays.active;
+  if (model_.laid_out->all_alone) left = hear_filters(rays, left, source, arriving);
+  if (left == 0) return;
+  RayPacket<T> asked = rays;
+  asked.active = left;
+  const PacketFirst<T> found = packets_.first(asked);
   std::uint32_t glass = 0;
-  for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
-    arriving[lane] = source.intensity;
-    if (!(found.hit >> lane & 1u)) continue;
+  for (std::uint32_t hit = found.hit; hit != 0; hit &= hit - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(hit));
     const Boundary<T>& boundary = found.boundary[lane];
     if (!(boundary.t < 1) || Numeric<T>::same_event(boundary.t, T(1))) continue;
     if (transmission_at(rays, lane, boundary.leaf, boundary.face, boundary.t) > 0)
       glass |= 1u << lane;
     else arriving[lane] = Colour<T>(0);
   }
-  if (glass == 0) return;
-  const PacketFilter<T> filters = packets_.filters(rays, glass);
-  for (std::uint32_t left = glass & ~filters.open; left != 0; left &= left - 1) {
+  if (glass != 0 && !model_.laid_out->all_alone)
+    glass = hear_filters(rays, glass, source, arriving);
+  for (; glass != 0; glass &= glass - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(glass));
+    packets_.count_doubtful();
+    arriving[lane] =
+        light_through(model_, packets_.classifier(), rays.ray(lane), rays.start(lane), source);
+  }
+}
+
+// The lanes of `where` that stay in doubt.
+template <typename T>
+std::uint32_t Wavefront<T>::hear_filters(const RayPacket<T>& rays, std::uint32_t where,
+                                         const PointLight<T>& source,
+                                         Colour<T> (&arriving)[kPacketLanes]) {
+  const PacketFilter<T> filters = packets_.filters(rays, where);
+  for (std::uint32_t left = filters.crossing; left != 0; left &= left - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-    if (filters.doubtful >> lane & 1u) {
-      arriving[lane] =
-          light_through(model_, packets_.classifier(), rays.ray(lane), rays.start(lane), source);
-      continue;
-    }
     T passed = 1;
     for (std::size_t b = 0; b < filters.count[lane] && passed > 0; ++b) {
       const auto& crossed = filters.crossed[lane][b];
@@ -111,6 +127,7 @@ void Wavefront<T>::hear_through_glass(const RayPacket<T>& rays, const PointLight
     }
     arriving[lane] = source.intensity * passed;
   }
+  return filters.doubtful;
 }
 
 template <typename T>
