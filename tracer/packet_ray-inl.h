@@ -115,7 +115,7 @@ HWY_INLINE ReadyPacket<T>::ReadyPacket(const RayPacket<T>& packet, const PacketS
   secondary &= packet.active;
   start_ends = secondary;
   std::fill_n(start_error, kPacketLanes, T(-1));
-  if (secondary != 0) {
+  if (solid && secondary != 0) {
     for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
       const bool starts = secondary >> lane & 1u, inward = packet.inward >> lane & 1u;
       const std::uint32_t shape = starts ? solid->shapes[packet.start_leaf[lane]] : kNoShape;
