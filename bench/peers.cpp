@@ -19,7 +19,7 @@
 #include "bench/peers_orbit.h"
 #include "bench/peers_programs.h"
 #include "bench/scenes.h"
-#include "bench/scratch.h"
+#include "tests/temp_folder.h"
 #include "tracer/scene_file.h"
 
 namespace {
@@ -107,12 +107,12 @@ bool duel_of_files(const std::vector<std::string>& names, int depth, Demand dema
 }
 
 int run(Settings settings) {
-  const Scratch scratch;
+  const sir::test::TempFolder scratch;
   settings.sir = fs::absolute(settings.sir).string();
   settings.images = fs::absolute(settings.images).string();
-  Arena arena{settings.sir, scratch.path, has_povray(), settings.rounds};
+  Arena arena{settings.sir, scratch.path(), has_povray(), settings.rounds};
   // POV-Ray may be allowed to read and write in the working folder only.
-  fs::current_path(scratch.path);
+  fs::current_path(scratch.path());
   if (!arena.povray) std::printf("No POV-Ray: our own figures only. Debian's package is povray.\n");
   SpeedTable table;
   bool same = true;
@@ -141,7 +141,7 @@ int run(Settings settings) {
   if (settings.wants("embree")) same = measure_embree(settings.rounds, table) && same;
   if (settings.wants("orbit"))
     measure_orbit(read_scene(fs::path(settings.images) / "whitted"), settings.rounds,
-                  settings.frames, arena.povray, scratch.path, table);
+                  settings.frames, arena.povray, scratch.path(), table);
   std::printf("\n%d missed%s\n", table.missed(), same ? "" : "; NOT THE SAME");
   fs::current_path("/");
   return same ? 0 : 1;

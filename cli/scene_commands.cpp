@@ -14,22 +14,6 @@
 namespace sir::cli {
 namespace {
 
-// Levels of the tree, a single primitive having one; found without recursion.
-std::size_t depth_of(const CsgTree& tree) {
-  std::size_t deepest = 0;
-  std::vector<std::pair<std::size_t, std::size_t>> open{{tree.root, 1}};
-  while (!open.empty()) {
-    const auto [index, depth] = open.back();
-    open.pop_back();
-    deepest = std::max(deepest, depth);
-    const CsgNode& node = tree.nodes[index];
-    if (!node.composite) continue;
-    open.emplace_back(node.left, depth + 1);
-    open.emplace_back(node.right, depth + 1);
-  }
-  return deepest;
-}
-
 std::string listed(const std::map<std::string, std::size_t>& counts) {
   std::string text;
   for (const auto& [name, count] : counts)

@@ -79,26 +79,7 @@ TEST(Blocked, StopsAtTheFirstSolidInTheWay) {
     for (const bool aligned : {false, true}) {
       test::SceneBuilder build;
       std::mt19937_64 random(seed);
-      std::uniform_real_distribution<double> any(-2, 2);
-      const auto primitive = [&] {
-        const auto kind = static_cast<PrimitiveKind>(random() % 4);
-        if (!aligned) {
-          Placement placement = test::random_placement(random, 0.6, random() % 2);
-          placement.translation = {any(random), any(random), any(random)};
-          return build.primitive(kind, placement);
-        }
-        const auto grid = [&] { return std::round(any(random) * 2) / 2; };
-        return build.primitive(kind, test::placed(glm::dvec3(0.5), {grid(), grid(), grid()}));
-      };
-      auto root = primitive();
-      for (int n = 0; n < 30; ++n) {
-        auto part = primitive();
-        for (std::uint64_t k = random() % 3; k > 0; --k)
-          part = build.combine(random() % 2 ? Operation::difference : Operation::intersection, part,
-                               primitive());
-        root = build.combine(Operation::union_of, root, part);
-      }
-      const Scene scene = build.finish(root);
+      const Scene scene = build.finish(build.crowd(random, 31, aligned));
       ASSERT_NO_FATAL_FAILURE(compare<double>(scene, seed, aligned, tally));
       ASSERT_NO_FATAL_FAILURE(compare<float>(scene, seed, aligned, tally));
     }

@@ -76,29 +76,11 @@ TYPED_TEST(FirstHit, IsTheFirstOfTheList) {
   this->RecordProperty("other_digits", tally.other_digits);
 }
 
-// Many small solids side by side and through one another, with a piece cut off.
+// With a piece cut off every other time.
 Scene crowd(std::uint64_t seed, bool aligned) {
   test::SceneBuilder build;
   std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> any(-2, 2);
-  const auto primitive = [&] {
-    const auto kind = static_cast<PrimitiveKind>(random() % 4);
-    if (!aligned) {
-      Placement placement = test::random_placement(random, 0.6, random() % 2);
-      placement.translation = {any(random), any(random), any(random)};
-      return build.primitive(kind, placement);
-    }
-    const auto grid = [&] { return std::round(any(random) * 2) / 2; };
-    return build.primitive(kind, test::placed(glm::dvec3(0.5), {grid(), grid(), grid()}));
-  };
-  auto root = primitive();
-  for (int n = 0; n < 40; ++n) {
-    auto part = primitive();
-    for (std::uint64_t k = random() % 3; k > 0; --k)
-      part = build.combine(random() % 2 ? Operation::difference : Operation::intersection, part,
-                           primitive());
-    root = build.combine(Operation::union_of, root, part);
-  }
+  auto root = build.crowd(random, 41, aligned);
   if (seed % 2)
     root = build.combine(Operation::difference, root, build.cube({-0.5, -0.5, -0.5}, {3, 3, 3}));
   return build.finish(root);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bench/scenes.h"
@@ -67,22 +66,6 @@ TEST(MadeScenes, AMixedOneHasEveryKindAndOperation) {
     else kinds.insert(node.kind);
   EXPECT_EQ(kinds.size(), 4u);
   EXPECT_EQ(operations.size(), 3u);
-}
-
-// Nodes on the longest way from the root to a primitive.
-std::size_t depth_of(const CsgTree& tree) {
-  std::vector<std::pair<std::size_t, std::size_t>> open{{tree.root, 1}};
-  std::size_t deepest = 0;
-  while (!open.empty()) {
-    const auto [index, depth] = open.back();
-    open.pop_back();
-    deepest = std::max(deepest, depth);
-    const CsgNode& node = tree.nodes[index];
-    if (!node.composite) continue;
-    open.push_back({node.left, depth + 1});
-    open.push_back({node.right, depth + 1});
-  }
-  return deepest;
 }
 
 TEST(MadeScenes, AChainIsDeepAndABalancedTreeFlat) {

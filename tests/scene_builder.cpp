@@ -29,6 +29,28 @@ SceneBuilder::Id SceneBuilder::sphere(glm::dvec3 centre, double radius, std::int
                    number);
 }
 
+SceneBuilder::Id SceneBuilder::crowd(std::mt19937_64& random, int parts, bool aligned) {
+  std::uniform_real_distribution<double> any(-2, 2);
+  const auto one = [&] {
+    const auto kind = static_cast<PrimitiveKind>(random() % 4);
+    if (!aligned) {
+      Placement placement = random_placement(random, 0.6, random() % 2);
+      placement.translation = {any(random), any(random), any(random)};
+      return primitive(kind, placement);
+    }
+    const auto grid = [&] { return std::round(any(random) * 2) / 2; };
+    return primitive(kind, placed(glm::dvec3(0.5), {grid(), grid(), grid()}));
+  };
+  auto root = one();
+  for (int n = 1; n < parts; ++n) {
+    auto part = one();
+    for (std::uint64_t k = random() % 3; k > 0; --k)
+      part = combine(random() % 2 ? Operation::difference : Operation::intersection, part, one());
+    root = combine(Operation::union_of, root, part);
+  }
+  return root;
+}
+
 SceneBuilder::Id SceneBuilder::combine(Operation operation, Id left, Id right) {
   CsgNode node;
   node.number = static_cast<std::int64_t>(scene.tree.nodes.size()) + 1000;

@@ -22,6 +22,10 @@ class SceneBuilder {
   Id sphere(glm::dvec3 centre, double radius, std::int64_t surface = 1, std::int64_t number = -1);
   Id combine(Operation operation, Id left, Id right);
 
+  /// A union of small solids side by side and through one another, most of them cut by
+  /// one or two more; on a coarse grid with `aligned`.
+  Id crowd(std::mt19937_64& random, int parts, bool aligned);
+
   /// A matt white surface unless the caller changes it.
   Surface& surface(std::int64_t number);
 

@@ -48,9 +48,9 @@ struct RenderResult {
 
 /// Renders; the planes are the same for any number of threads. `progress`, if
 /// given, is called now and then from any thread, one call at a time, with the
-/// share of the pixels done, in [0,1]. A stop request ends it within 8 rows of
-/// a tile. Throws std::invalid_argument for a region outside the image and for options
-/// of antialiasing out of their ranges.
+/// share of the pixels done, in [0,1]. A stop request ends it within 256
+/// pixels of each thread. Throws std::invalid_argument for a region outside the image and for
+/// options of antialiasing out of their ranges.
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::function<void(double)>& progress = {}, std::stop_token stop = {});
 

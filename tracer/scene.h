@@ -48,6 +48,10 @@ struct CsgTree {
   std::size_t root = 0;
 };
 
+/// Nodes on the longest way from the root to a primitive, both counted; found without
+/// recursion.
+std::size_t depth_of(const CsgTree& tree);
+
 /// The camera file (3.6.2), in SC_CENA.
 struct CameraFile {
   glm::dvec2 window{4, 3};  ///< width, height

@@ -4,18 +4,6 @@
 #include "tracer/shade.h"
 
 namespace sir {
-namespace {
-
-// One light on a point that sends nothing on leaves nothing to be spared.
-template <typename T>
-bool may_spare(const Model<T>& model, const TraceOptions& options) {
-  const EffectSet& effects = model.effects;
-  const bool branches = options.depth_limit > 1 && (effects.reflection || effects.refraction);
-  return !effects.exhaustive && (branches || model.lights.size() > 1);
-}
-
-}  // namespace
-
 template <typename T>
 Wavefront<T>::Wavefront(const Model<T>& model, const TraceOptions& options)
     : model_(model),
@@ -23,7 +11,7 @@ Wavefront<T>::Wavefront(const Model<T>& model, const TraceOptions& options)
       packets_(model.solid, *model.laid_out),
       deep_(model, options),
       bound_(model, options),
-      sparing_(may_spare(model, options) && bound_.bounded()),
+      sparing_(!model.effects.exhaustive && bound_.bounded()),
       lights_from_(model.lights.size()) {
   Colour<T> sum(0);
   for (std::size_t light = model.lights.size(); light-- > 0;)

@@ -31,7 +31,7 @@ void Wavefront<T>::ask(std::uint32_t node, const PointLight<T>& source, const Pa
   const bool asked =
       effects.exhaustive ? incidence.distance[lane] > 0 : cosine > 0 && most != Colour<T>(0);
   if (!asked) return;
-  const Asked question{node, cosine, incidence.gleam[lane]};
+  const Asked question{node, cosine, effects.highlight ? incidence.gleam[lane] : T(-1)};
   if (!effects.shadow) {
     light_up(question, source.intensity);
   } else if (sparing_ && spares(node, detail.path_weight * most, &source, depth)) {
