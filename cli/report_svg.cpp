@@ -11,7 +11,7 @@ std::string swatches_svg(const quant::Lut& lut, const std::string& label) {
   std::string svg = fmt::format(
       "<svg class=\"lut\" viewBox=\"0 0 160 160\" role=\"img\" aria-label=\"{}\">", label);
   for (std::size_t i = 0; i < lut.chosen; ++i) {
-    const Rgb8 colour = quant::seen(lut.entry[i]);
+    const Rgb8 colour = lut.seen(i);
     const auto& code = lut.entry[i];
     fmt::format_to(std::back_inserter(svg),
                    "<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" "

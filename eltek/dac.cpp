@@ -17,7 +17,7 @@ constexpr std::array<std::uint8_t, 64> kLevels = [] {
 
 std::uint8_t dac_level(std::uint8_t code) { return kLevels[code & 63u]; }
 
-Rgb8 dac_colour(const quant::Code6& codes) {
+Rgb8 dac_colour(const quant::DacCode& codes) {
   return {dac_level(codes[0]), dac_level(codes[1]), dac_level(codes[2])};
 }
 

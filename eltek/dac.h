@@ -17,6 +17,6 @@ namespace sir::eltek {
 std::uint8_t dac_level(std::uint8_t code);
 
 /// The colour of an entry as seen: one converter per primary.
-Rgb8 dac_colour(const quant::Code6& codes);
+Rgb8 dac_colour(const quant::DacCode& codes);
 
 }  // namespace sir::eltek

@@ -34,18 +34,18 @@ Placement place(const std::string& name, ImageSize image, Oversize oversize) {
 
 void load_lut(LutPorts& ports, const quant::Lut& lut) {
   ports.write_address(0);
-  for (const quant::Code6& entry : lut.entry)
+  for (const quant::DacCode& entry : lut.entry)
     for (const std::uint8_t code : entry) ports.write_data(code);
 }
 
 std::uint8_t nearest_to_black(const quant::Lut& lut) {
-  const auto distance = [](const quant::Code6& entry) {
+  const auto distance = [](const quant::DacCode& entry) {
     const Rgb8 seen = dac_colour(entry);
     return seen.r * seen.r + seen.g * seen.g + seen.b * seen.b;
   };
   const auto nearest = std::min_element(
       lut.entry.begin(), lut.entry.end(),
-      [&](const quant::Code6& a, const quant::Code6& b) { return distance(a) < distance(b); });
+      [&](const quant::DacCode& a, const quant::DacCode& b) { return distance(a) < distance(b); });
   return static_cast<std::uint8_t>(nearest - lut.entry.begin());
 }
 

@@ -41,15 +41,15 @@ class LutPorts {
 
   /// What the scanout wires see: the entry chosen by a pixel's index under
   /// the pixel mask.
-  const quant::Code6& look_up(std::uint8_t index) const {
+  const quant::DacCode& look_up(std::uint8_t index) const {
     return entries_[static_cast<std::uint8_t>(index & pixel_mask_)];
   }
 
  private:
   void advance();
 
-  std::array<quant::Code6, quant::kLutEntries> entries_{};
-  quant::Code6 latch_{};  // bytes that wait for the third
+  std::array<quant::DacCode, quant::kLutEntries> entries_{};
+  quant::DacCode latch_{};  // bytes that wait for the third
   std::uint8_t address_ = 0;
   std::size_t phase_ = 0;  // 0, 1, 2: R, G, B comes next
   std::uint8_t pixel_mask_ = 0xFF;

@@ -28,8 +28,8 @@ std::vector<std::span<const Cell>> planes_of(const Histogram& cells, const Grid&
   return planes;
 }
 
-std::vector<Code6> shared_out(const Histogram& cells, const ChooseOptions& options,
-                              const Grid& grid) {
+std::vector<DacCode> shared_out(const Histogram& cells, const ChooseOptions& options,
+                                const Grid& grid) {
   const auto planes = planes_of(cells, grid);
   std::vector<PlaneClaim> claims;
   for (const auto plane : planes) {
@@ -37,7 +37,7 @@ std::vector<Code6> shared_out(const Histogram& cells, const ChooseOptions& optio
     for (const Cell& cell : plane) claims.back().pixels += cell.pixels;
   }
   const auto shares = allocate(kLutEntries, claims);
-  std::vector<Code6> colours;
+  std::vector<DacCode> colours;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto chosen = options.method == Method::frequency
                             ? most_frequent(planes[i], shares[i], grid)
@@ -57,7 +57,7 @@ Lut choose_from(const Histogram& cells, const ChooseOptions& options) {
   if (cells.empty()) throw FileError("image", 0, "has no pixels to choose colours from");
   const auto grid = grid_of(options);
   if (cells.size() > kLutEntries) return make_lut(shared_out(cells, options, *grid));
-  std::vector<Code6> colours;
+  std::vector<DacCode> colours;
   for (const Cell& cell : cells) colours.push_back(code_of(cell, *grid));
   return make_lut(colours);
 }

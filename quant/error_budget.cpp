@@ -158,9 +158,9 @@ std::vector<Rgb> unrounded_colours(const Planes& reference, const Lut& lut) {
     ++sum.pixels;
   }
   std::vector<Rgb> colours;
-  std::set<Code6> known;
+  std::set<DacCode> known;
   for (std::size_t i = 0; i < lut.chosen; ++i) {
-    const Code6& code = lut.entry[i];
+    const DacCode& code = lut.entry[i];
     if (!known.insert(code).second) continue;
     const auto primary = [&](std::size_t c) {
       const Sum& sum = sums[i];

@@ -4,14 +4,14 @@
 
 namespace sir::quant {
 
-Code6 code_of(const Cell& cell, const Grid& grid) {
+DacCode code_of(const Cell& cell, const Grid& grid) {
   PointSum itself;
   itself.add(cell.at, 1);
   return grid.code(itself);
 }
 
-std::vector<Code6> most_frequent(std::span<const Cell> cells, std::size_t entries,
-                                 const Grid& grid) {
+std::vector<DacCode> most_frequent(std::span<const Cell> cells, std::size_t entries,
+                                   const Grid& grid) {
   std::vector<const Cell*> order;
   order.reserve(cells.size());
   for (const Cell& cell : cells) order.push_back(&cell);
@@ -22,7 +22,7 @@ std::vector<Code6> most_frequent(std::span<const Cell> cells, std::size_t entrie
                       return a < b;  // both point into `cells`: the one that stands first
                     });
   order.resize(chosen);
-  std::vector<Code6> codes;
+  std::vector<DacCode> codes;
   for (const Cell* const cell : order) codes.push_back(code_of(*cell, grid));
   return codes;
 }

@@ -12,10 +12,10 @@ namespace sir::quant {
 
 /// The codes of the `entries` most frequent of `cells` (fewer where there are
 /// fewer cells), the most frequent first; ties: the cell that stands first.
-std::vector<Code6> most_frequent(std::span<const Cell> cells, std::size_t entries,
-                                 const Grid& grid);
+std::vector<DacCode> most_frequent(std::span<const Cell> cells, std::size_t entries,
+                                   const Grid& grid);
 
 /// The code of a single cell.
-Code6 code_of(const Cell& cell, const Grid& grid);
+DacCode code_of(const Cell& cell, const Grid& grid);
 
 }  // namespace sir::quant

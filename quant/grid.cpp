@@ -56,7 +56,7 @@ GridPoint RgbGrid::point(std::size_t cell) const {
           static_cast<int>(cell & last)};
 }
 
-Code6 RgbGrid::code(const PointSum& mean) const {
+DacCode RgbGrid::code(const PointSum& mean) const {
   const Wide whole = static_cast<Wide>(mean.pixels) * ((1 << bits_) - 1);
   return {rounded_code(mean.sum[0], whole), rounded_code(mean.sum[1], whole),
           rounded_code(mean.sum[2], whole)};
@@ -158,7 +158,7 @@ GridPoint HsvGrid::point(std::size_t cell) const {
   return {column / shape_.saturations, column % shape_.saturations, number % shape_.values};
 }
 
-Code6 HsvGrid::code(const PointSum& mean) const {
+DacCode HsvGrid::code(const PointSum& mean) const {
   const Wide pixels = mean.pixels;
   const Wide s = mean.sum[1], s_whole = pixels * (shape_.saturations - 1);
   const Wide v = mean.sum[2], v_whole = pixels * (shape_.values - 1);

@@ -50,7 +50,7 @@ class Grid {
   /// The mean of cells of one plane as a LUT code: floor(63 c + 1/2) of each
   /// primary c, in exact rational arithmetic, because half a code is a common
   /// result (hue 10 degrees, s = v = 1 gives 52.5). For fewer than 2^40 pixels.
-  virtual Code6 code(const PointSum& mean) const = 0;
+  virtual DacCode code(const PointSum& mean) const = 0;
 };
 
 /// Cubes of the colours by the highest bits of their bytes: with the thesis's 5
@@ -70,7 +70,7 @@ class RgbGrid final : public Grid {
               std::span<std::uint32_t> cells) const override;
   GridPoint point(std::size_t cell) const override;
   int plane(const GridPoint&) const override { return 0; }
-  Code6 code(const PointSum& mean) const override;
+  DacCode code(const PointSum& mean) const override;
 
  private:
   int bits_;
@@ -112,7 +112,7 @@ class HsvGrid final : public Grid {
               std::span<std::uint32_t> cells) const override;
   GridPoint point(std::size_t cell) const override;
   int plane(const GridPoint& point) const override { return point[0]; }
-  Code6 code(const PointSum& mean) const override;
+  DacCode code(const PointSum& mean) const override;
 
   int grey_plane() const { return shape_.hues; }
 

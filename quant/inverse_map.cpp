@@ -7,7 +7,7 @@ namespace sir::quant {
 
 InverseMap::InverseMap(const Lut& lut)
     : chosen_(lut.chosen), cells_(std::size_t{1} << 3 * (8 - kCellBits), std::int16_t{-1}) {
-  std::transform(lut.entry.begin(), lut.entry.end(), entries_.begin(), seen);
+  for (std::size_t i = 0; i < kLutEntries; ++i) entries_[i] = lut.seen(i);
 }
 
 std::int16_t InverseMap::nearest_to_centre(Rgb8 colour) const {

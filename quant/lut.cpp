@@ -11,12 +11,12 @@
 namespace sir::quant {
 namespace {
 
-Code6 read_entry(const TextFile& file, const std::string& what) {
+DacCode read_entry(const TextFile& file, const std::string& what) {
   const auto words = split_tokens(file.line());
   if (words.size() != 3)
     file.fail(what + ": three integers expected, " + std::to_string(words.size()) +
               (words.size() == 1 ? " word found" : " words found"));
-  Code6 entry{};
+  DacCode entry{};
   for (std::size_t i = 0; i < 3; ++i) {
     std::int64_t level = 0;
     if (!parse_count(words[i], level) || level > kMaxCode)
@@ -28,11 +28,12 @@ Code6 read_entry(const TextFile& file, const std::string& what) {
 
 }  // namespace
 
-Lut make_lut(std::span<const Code6> colours) {
+Lut make_lut(std::span<const DacCode> colours, const DacBits& dac) {
   if (colours.empty() || colours.size() > kLutEntries)
     throw std::invalid_argument("a LUT of " + std::to_string(colours.size()) + " colours");
   Lut lut;
   lut.chosen = colours.size();
+  lut.dac = dac;
   lut.entry.fill(colours.back());
   std::copy(colours.begin(), colours.end(), lut.entry.begin());
   return lut;
@@ -40,7 +41,7 @@ Lut make_lut(std::span<const Code6> colours) {
 
 std::string lut_text(const Lut& lut) {
   std::string text;
-  for (const Code6& entry : lut.entry)
+  for (const DacCode& entry : lut.entry)
     text += std::to_string(entry[0]) + " " + std::to_string(entry[1]) + " " +
             std::to_string(entry[2]) + "\n";
   return text;

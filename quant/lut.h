@@ -18,14 +18,18 @@ inline constexpr std::size_t kLutEntries = 256;
 /// last one is repeated to the end, so that a search over all 256 never gains
 /// by the rest.
 struct Lut {
-  std::array<Code6, kLutEntries> entry{};
+  std::array<DacCode, kLutEntries> entry{};
   std::size_t chosen = 1;  ///< 1 to 256
+  DacBits dac;             ///< the DAC that the entries are codes of
+
+  /// The colour as which an entry is seen.
+  Rgb8 seen(std::size_t index) const { return quant::seen(entry[index], dac); }
   friend bool operator==(const Lut&, const Lut&) = default;
 };
 
 /// The LUT of 1 to 256 chosen colours in their order; std::invalid_argument
 /// for another number of them.
-Lut make_lut(std::span<const Code6> colours);
+Lut make_lut(std::span<const DacCode> colours, const DacBits& dac = {});
 
 /// The file's text: 256 lines `r g b`, 0 to 63.
 std::string lut_text(const Lut& lut);

@@ -112,8 +112,8 @@ class BoxList {
 
 }  // namespace
 
-std::vector<Code6> median_cut(std::span<const Cell> cells, std::size_t entries, SplitOrder order,
-                              const Grid& grid) {
+std::vector<DacCode> median_cut(std::span<const Cell> cells, std::size_t entries, SplitOrder order,
+                                const Grid& grid) {
   if (cells.empty() || entries == 0) return {};
   std::vector<Cell> own(cells.begin(), cells.end());
   BoxList list(own, entries);
@@ -122,7 +122,7 @@ std::vector<Code6> median_cut(std::span<const Cell> cells, std::size_t entries, 
     case SplitOrder::longest: list.split_greatest([](const Box& box) { return box.length; }); break;
     case SplitOrder::breadth: list.split_rounds(); break;
   }
-  std::vector<Code6> codes;
+  std::vector<DacCode> codes;
   for (const Box& box : list.boxes()) {
     PointSum mean;
     for (const Cell& cell : box.cells) mean.add(cell.at, cell.pixels);

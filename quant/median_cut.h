@@ -27,7 +27,7 @@ enum class SplitOrder {
 /// occupied; they take the box's place in the list, lower first.
 ///
 /// `cells` are one plane's, in any order: the result does not depend on it.
-std::vector<Code6> median_cut(std::span<const Cell> cells, std::size_t entries, SplitOrder order,
-                              const Grid& grid);
+std::vector<DacCode> median_cut(std::span<const Cell> cells, std::size_t entries, SplitOrder order,
+                                const Grid& grid);
 
 }  // namespace sir::quant

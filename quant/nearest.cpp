@@ -14,7 +14,7 @@ using Colours = std::array<Rgb8, kLutEntries>;
 
 Colours colours_of(const Lut& lut) {
   Colours colours;
-  std::transform(lut.entry.begin(), lut.entry.end(), colours.begin(), seen);
+  for (std::size_t i = 0; i < kLutEntries; ++i) colours[i] = lut.seen(i);
   return colours;
 }
 
@@ -103,7 +103,7 @@ NearestSearch::NearestSearch(const Lut& lut) : levels_{Cubes(5), Cubes(4)} {
     if (std::find(lut.entry.begin(), lut.entry.begin() + static_cast<std::ptrdiff_t>(i),
                   lut.entry[i]) != lut.entry.begin() + static_cast<std::ptrdiff_t>(i))
       continue;  // an equal entry of lower index always comes first
-    const Rgb8 bytes = seen(lut.entry[i]);
+    const Rgb8 bytes = lut.seen(i);
     candidates_.push_back({bytes.r, bytes.g, bytes.b, static_cast<std::uint8_t>(i)});
   }
   all_.count = static_cast<std::uint32_t>(candidates_.size());

@@ -119,8 +119,8 @@ class Cutter {
     }
   }
 
-  std::vector<Code6> means() const {
-    std::vector<Code6> codes;
+  std::vector<DacCode> means() const {
+    std::vector<DacCode> codes;
     for (const Box& box : boxes_) {
       PointSum mean;
       matrix_.walk(box, [&](const GridPoint& at, std::uint64_t pixels) { mean.add(at, pixels); });
@@ -225,7 +225,7 @@ WorkedLut choose_as_in_1989(const Planes& image, const ChooseOptions& options, b
   const Matrix matrix(image, options, result.work);
   std::vector<Box> planes;
   std::vector<PlaneClaim> claims;
-  std::vector<Code6> tones;
+  std::vector<DacCode> tones;
   for (const Box& plane : matrix.planes()) {
     Box box = shrunk(plane, matrix, [&](const GridPoint& at) {
       if (tones.size() <= kLutEntries) tones.push_back(code_of({at, 1}, matrix.grid()));

@@ -24,7 +24,7 @@ void expect_hsv(Hsv got, double h, double s, double v) {
 
 GridPoint point_of(const Grid& grid, Rgb8 colour) { return grid.point(grid.cell(colour)); }
 
-Code6 code_of_point(const Grid& grid, GridPoint point) {
+DacCode code_of_point(const Grid& grid, GridPoint point) {
   PointSum sum;
   sum.add(point, 1);
   return grid.code(sum);
@@ -116,7 +116,7 @@ TEST(RgbGrid, CodesOfCells) {
   const RgbGrid grid;
   for (int i = 0; i < 32; ++i) {
     const auto code = static_cast<std::uint8_t>((2 * 63 * i + 31) / 62);
-    EXPECT_EQ(code_of_point(grid, {i, 0, 31}), (Code6{code, 0, 63}));
+    EXPECT_EQ(code_of_point(grid, {i, 0, 31}), (DacCode{code, 0, 63}));
   }
 }
 
@@ -253,18 +253,18 @@ TEST(HsvGrid, NumbersCellsByHueSaturationValueAndGreyLast) {
 
 TEST(HsvGrid, HalfCodesAreRoundedUp) {
   const HsvGrid grid;
-  EXPECT_EQ(code_of_point(grid, {1, 29, 29}), (Code6{63, 11, 0}));  // 10.5
-  EXPECT_EQ(code_of_point(grid, {5, 29, 29}), (Code6{63, 53, 0}));  // 52.5
-  EXPECT_EQ(code_of_point(grid, {7, 29, 29}), (Code6{53, 63, 0}));
-  EXPECT_EQ(code_of_point(grid, {13, 29, 29}), (Code6{0, 63, 11}));
-  EXPECT_EQ(code_of_point(grid, {19, 29, 29}), (Code6{0, 53, 63}));
-  EXPECT_EQ(code_of_point(grid, {25, 29, 29}), (Code6{11, 0, 63}));
-  EXPECT_EQ(code_of_point(grid, {31, 29, 29}), (Code6{63, 0, 53}));
-  EXPECT_EQ(code_of_point(grid, {36, 0, 29}), (Code6{63, 63, 63}));
+  EXPECT_EQ(code_of_point(grid, {1, 29, 29}), (DacCode{63, 11, 0}));  // 10.5
+  EXPECT_EQ(code_of_point(grid, {5, 29, 29}), (DacCode{63, 53, 0}));  // 52.5
+  EXPECT_EQ(code_of_point(grid, {7, 29, 29}), (DacCode{53, 63, 0}));
+  EXPECT_EQ(code_of_point(grid, {13, 29, 29}), (DacCode{0, 63, 11}));
+  EXPECT_EQ(code_of_point(grid, {19, 29, 29}), (DacCode{0, 53, 63}));
+  EXPECT_EQ(code_of_point(grid, {25, 29, 29}), (DacCode{11, 0, 63}));
+  EXPECT_EQ(code_of_point(grid, {31, 29, 29}), (DacCode{63, 0, 53}));
+  EXPECT_EQ(code_of_point(grid, {36, 0, 29}), (DacCode{63, 63, 63}));
   PointSum half;  // 31.5
   half.add({36, 0, 0}, 7);
   half.add({36, 0, 29}, 7);
-  EXPECT_EQ(grid.code(half), (Code6{32, 32, 32}));
+  EXPECT_EQ(grid.code(half), (DacCode{32, 32, 32}));
 }
 
 TEST(HsvGrid, CodesAgreeWithTheRoutineInDouble) {
@@ -273,7 +273,7 @@ TEST(HsvGrid, CodesAgreeWithTheRoutineInDouble) {
     const GridPoint at = grid.point(cell);
     const Rgb colour = at[0] == 36 ? hsv_to_rgb({0, 0, at[2] / 29.0})
                                    : hsv_to_rgb({10.0 * at[0], at[1] / 29.0, at[2] / 29.0});
-    const Code6 code = code_of_point(grid, at);
+    const DacCode code = code_of_point(grid, at);
     ASSERT_NEAR(code[0], 63 * colour.r, 0.5 + 1e-9);
     ASSERT_NEAR(code[1], 63 * colour.g, 0.5 + 1e-9);
     ASSERT_NEAR(code[2], 63 * colour.b, 0.5 + 1e-9);

@@ -243,22 +243,22 @@ TEST(MedianCut, OfRandomCellsIsTheSameInAnyOrder) {
 }
 
 // LUTs made to mislead a search that leaves entries out.
-std::vector<std::pair<std::string, std::vector<Code6>>> misleading_luts() {
-  std::vector<std::pair<std::string, std::vector<Code6>>> luts;
+std::vector<std::pair<std::string, std::vector<DacCode>>> misleading_luts() {
+  std::vector<std::pair<std::string, std::vector<DacCode>>> luts;
   const auto code = [](int r, int g, int b) {
-    return Code6{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
+    return DacCode{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
                  static_cast<std::uint8_t>(b)};
   };
-  luts.push_back({"all equal", std::vector<Code6>(256, code(31, 32, 33))});
+  luts.push_back({"all equal", std::vector<DacCode>(256, code(31, 32, 33))});
   luts.push_back({"black and white", {code(0, 0, 0), code(63, 63, 63)}});
   luts.push_back({"white and black", {code(63, 63, 63), code(0, 0, 0)}});
-  std::vector<Code6> last(256, code(0, 0, 0));
+  std::vector<DacCode> last(256, code(0, 0, 0));
   last[255] = code(63, 63, 63);
   luts.push_back({"only the last differs", last});
-  std::vector<Code6> first(256, code(63, 63, 63));
+  std::vector<DacCode> first(256, code(63, 63, 63));
   first[0] = code(0, 0, 0);
   luts.push_back({"only the first differs", first});
-  std::vector<Code6> pairs, corners, greys, near, shell;
+  std::vector<DacCode> pairs, corners, greys, near, shell;
   for (int i = 0; i < 256; ++i) {
     pairs.push_back(code(i / 2 % 64, 63 - i / 2 % 64, i / 2 / 2 % 64));
     corners.push_back(code(i & 1 ? 63 : 0, i & 2 ? 63 : 0, i & 4 ? 63 : 0));
@@ -305,7 +305,7 @@ TEST(NearestSearch, EqualsTheDefinitionOnAnyLut) {
     const auto levels = *rc::gen::inRange(1, 65);
     const auto codes = *rc::gen::resize(
         300,
-        rc::gen::container<std::vector<Code6>>(rc::gen::container<Code6>(rc::gen::map(
+        rc::gen::container<std::vector<DacCode>>(rc::gen::container<DacCode>(rc::gen::map(
             rc::gen::inRange(0, levels), [](int e) { return static_cast<std::uint8_t>(e); }))));
     RC_PRE(!codes.empty() && codes.size() <= kLutEntries);
     const Lut lut = make_lut(codes);

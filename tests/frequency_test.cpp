@@ -17,7 +17,7 @@ namespace {
 
 using Shares = std::vector<std::size_t>;
 
-Code6 grey(int cell) {
+DacCode grey(int cell) {
   PointSum sum;
   sum.add({cell, cell, cell}, 1);
   return RgbGrid().code(sum);
@@ -27,13 +27,13 @@ Cell grey_cell(int at, std::uint64_t pixels) { return {{at, at, at}, pixels}; }
 
 TEST(MostFrequent, StandFirst) {
   const std::vector<Cell> cells{grey_cell(1, 5), grey_cell(2, 9), grey_cell(3, 1), grey_cell(4, 7)};
-  EXPECT_EQ(most_frequent(cells, 3, RgbGrid()), (std::vector<Code6>{grey(2), grey(4), grey(1)}));
+  EXPECT_EQ(most_frequent(cells, 3, RgbGrid()), (std::vector<DacCode>{grey(2), grey(4), grey(1)}));
 }
 
 TEST(MostFrequent, TiesTakeTheLowestCell) {
   std::vector<Cell> cells;
   for (int i = 0; i < 32; ++i) cells.push_back(grey_cell(i, i % 2 == 0 ? 3 : 4));
-  std::vector<Code6> expected;
+  std::vector<DacCode> expected;
   for (int i = 1; i < 32; i += 2) expected.push_back(grey(i));
   for (int i = 0; i < 8; i += 2) expected.push_back(grey(i));
   EXPECT_EQ(most_frequent(cells, 20, RgbGrid()), expected);
@@ -141,7 +141,7 @@ TEST(ChooseByFrequency, HsvSharesByCellsNotByPixels) {
   ASSERT_EQ(at, 5300u);
   const Lut lut = choose_lut(image, by_frequency(Space::hsv));
   EXPECT_EQ(lut.chosen, 256u);
-  EXPECT_EQ(lut.entry[0], (Code6{63, 0, 0}));
+  EXPECT_EQ(lut.entry[0], (DacCode{63, 0, 0}));
   for (std::size_t i = 1; i < 256; ++i) EXPECT_GT(lut.entry[i][2], lut.entry[i][0]) << i;
 }
 

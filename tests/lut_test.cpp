@@ -62,16 +62,16 @@ TEST(DacCode, IsSeenAsTheNearestByte) {
 }
 
 TEST(MakeLut, RepeatsTheLastColour) {
-  const Lut lut = make_lut(std::vector<Code6>{{1, 2, 3}, {4, 5, 6}});
+  const Lut lut = make_lut(std::vector<DacCode>{{1, 2, 3}, {4, 5, 6}});
   EXPECT_EQ(lut.chosen, 2u);
-  EXPECT_EQ(lut.entry[0], (Code6{1, 2, 3}));
-  for (std::size_t i = 1; i < 256; ++i) EXPECT_EQ(lut.entry[i], (Code6{4, 5, 6}));
+  EXPECT_EQ(lut.entry[0], (DacCode{1, 2, 3}));
+  for (std::size_t i = 1; i < 256; ++i) EXPECT_EQ(lut.entry[i], (DacCode{4, 5, 6}));
 }
 
 TEST(MakeLut, RefusesNoneAndTooMany) {
   EXPECT_THROW(make_lut({}), std::invalid_argument);
-  EXPECT_THROW(make_lut(std::vector<Code6>(257)), std::invalid_argument);
-  EXPECT_EQ(make_lut(std::vector<Code6>(256)).chosen, 256u);
+  EXPECT_THROW(make_lut(std::vector<DacCode>(257)), std::invalid_argument);
+  EXPECT_EQ(make_lut(std::vector<DacCode>(256)).chosen, 256u);
 }
 
 TEST(ChooseLut, RefusesAnImageWithoutPixels) {
@@ -87,7 +87,7 @@ TEST(ChooseLut, OneColourFillsTheLut) {
     options.space = space;
     const Lut lut = choose_lut(image, options);
     EXPECT_EQ(lut.chosen, 1u);
-    for (const Code6& entry : lut.entry) EXPECT_EQ(entry, (Code6{63, 0, 0}));
+    for (const DacCode& entry : lut.entry) EXPECT_EQ(entry, (DacCode{63, 0, 0}));
   }
 }
 
@@ -96,21 +96,21 @@ TEST(ChooseLut, TheLimitsMakeGreys) {
   image.set(0, {200, 150, 150});  // S = 1/4
   image.set(1, {0, 0, 102});      // V = 2/5
   ChooseOptions options;
-  EXPECT_EQ(choose_lut(image, options).entry[1], (Code6{0, 0, 26}));
+  EXPECT_EQ(choose_lut(image, options).entry[1], (DacCode{0, 0, 26}));
   options.grid.grey_s = 0.25;
   options.grid.grey_v = 0.4;
   const Lut lut = choose_lut(image, options);
-  EXPECT_EQ(lut.entry[0], (Code6{26, 26, 26}));
-  EXPECT_EQ(lut.entry[1], (Code6{50, 50, 50}));
+  EXPECT_EQ(lut.entry[0], (DacCode{26, 26, 26}));
+  EXPECT_EQ(lut.entry[1], (DacCode{50, 50, 50}));
 }
 
 TEST_F(LutFile, HoldsOneLineForEachEntry) {
-  write_lut(path_, make_lut(std::vector<Code6>{{1, 2, 3}, {63, 0, 10}}));
+  write_lut(path_, make_lut(std::vector<DacCode>{{1, 2, 3}, {63, 0, 10}}));
   EXPECT_EQ(content(), "1 2 3\n" + lines(255, "63 0 10\n"));
 }
 
 TEST_F(LutFile, ReadsWhatWasWritten) {
-  std::vector<Code6> colours;
+  std::vector<DacCode> colours;
   for (std::uint8_t i = 0; i < 200; ++i)
     colours.push_back({static_cast<std::uint8_t>(i % 64), static_cast<std::uint8_t>(i / 4),
                        static_cast<std::uint8_t>(63 - i % 64)});
@@ -125,8 +125,8 @@ TEST_F(LutFile, TakesAnyWhiteSpaceAndBlankLines) {
   write("\n \t1\t2  3 \r\n\r\n" + lines(255, "4 05 6\r\n") + "\n\n");
   const Lut lut = read_lut(path_);
   EXPECT_EQ(lut.chosen, 2u);
-  EXPECT_EQ(lut.entry[0], (Code6{1, 2, 3}));
-  EXPECT_EQ(lut.entry[255], (Code6{4, 5, 6}));
+  EXPECT_EQ(lut.entry[0], (DacCode{1, 2, 3}));
+  EXPECT_EQ(lut.entry[255], (DacCode{4, 5, 6}));
 }
 
 TEST_F(LutFile, NamesTheLineThatIsWrong) {

@@ -15,7 +15,7 @@ std::uint8_t pattern(int column, int row) {
   return static_cast<std::uint8_t>(column * 7 + row * 13 + column * row / 50);
 }
 
-quant::Code6 entry(int index) {
+quant::DacCode entry(int index) {
   const auto code = [](int value) { return static_cast<std::uint8_t>(value % 64); };
   return {code(index), code(index * 5 + 1), code(63 * 256 - index * 3)};
 }

@@ -14,10 +14,10 @@
 namespace sir::quant {
 namespace {
 
-using Codes = std::vector<Code6>;
+using Codes = std::vector<DacCode>;
 
 /// Code of the mean of cells.
-Code6 mean(const std::vector<Cell>& cells) {
+DacCode mean(const std::vector<Cell>& cells) {
   PointSum sum;
   for (const Cell& cell : cells) sum.add(cell.at, cell.pixels);
   return RgbGrid().code(sum);

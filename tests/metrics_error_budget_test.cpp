@@ -55,7 +55,7 @@ TEST(ErrorBudget, OfEntriesThatAreTheColoursIsTheDacAlone) {
   Planes image(ImageSize{2, 1});
   image.set(0, {101, 50, 7});
   image.set(1, {200, 30, 90});
-  const Lut lut = make_lut(std::vector<Code6>{{25, 12, 2}, {49, 7, 22}});
+  const Lut lut = make_lut(std::vector<DacCode>{{25, 12, 2}, {49, 7, 22}});
   const std::vector<Rgb> exact{{101 / 255.0, 50 / 255.0, 7 / 255.0},
                                {200 / 255.0, 30 / 255.0, 90 / 255.0}};
   for (const ErrorBudget& budget : {error_budget(image, lut, exact), error_budget(image, lut)}) {
@@ -69,7 +69,7 @@ TEST(ErrorBudget, BlamesTheMappingWhereAnotherEntryLooksBetter) {
   // In bytes the blue is nearer to black than to the brighter blue; to the eye it is not.
   Planes image(ImageSize{1, 1});
   image.set(0, seen({0, 0, 20}));
-  const Lut lut = make_lut(std::vector<Code6>{{0, 0, 0}, {0, 0, 41}});
+  const Lut lut = make_lut(std::vector<DacCode>{{0, 0, 0}, {0, 0, 41}});
   const Lab blue = lab_of(image.at(0));
   const double to_black = ciede2000(blue, lab_of(seen({0, 0, 0})));
   const double to_blue = ciede2000(blue, lab_of(seen({0, 0, 41})));
@@ -81,7 +81,7 @@ TEST(ErrorBudget, BlamesTheMappingWhereAnotherEntryLooksBetter) {
 
 TEST(ErrorBudget, OfColoursThatTheLutHoldsIsNothing) {
   Planes image(ImageSize{3, 1});
-  const std::vector<Code6> codes{{0, 0, 0}, {63, 63, 63}, {31, 5, 60}};
+  const std::vector<DacCode> codes{{0, 0, 0}, {63, 63, 63}, {31, 5, 60}};
   for (std::size_t i = 0; i < 3; ++i) image.set(i, seen(codes[i]));
   const ErrorBudget budget = error_budget(image, make_lut(codes));
   EXPECT_EQ(budget.total, 0);
@@ -97,7 +97,7 @@ TEST(ErrorBudget, RefusesWhatHasNoMean) {
 TEST(UnroundedColours, BecomeTheEntries) {
   const Planes image = picture();
   const Lut lut = lut_of(image, Space::hsv);
-  std::vector<Code6> codes;
+  std::vector<DacCode> codes;
   for (std::size_t i = 0; i < lut.chosen; ++i)
     if (std::find(codes.begin(), codes.end(), lut.entry[i]) == codes.end())
       codes.push_back(lut.entry[i]);

@@ -84,7 +84,7 @@ TEST(ShownThrough, IsTheNearestEntryAsSeen) {
   image.set(0, {250, 9, 3});
   image.set(1, {7, 7, 90});
   const Planes shown =
-      shown_through(image, make_lut(std::vector<Code6>{{0, 0, 20}, {63, 0, 0}, {63, 63, 63}}));
+      shown_through(image, make_lut(std::vector<DacCode>{{0, 0, 20}, {63, 0, 0}, {63, 63, 63}}));
   EXPECT_EQ(shown.at(0), (Rgb8{255, 0, 0}));
   EXPECT_EQ(shown.at(1), (Rgb8{0, 0, 81}));
 }

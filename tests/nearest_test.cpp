@@ -34,9 +34,9 @@ int by_definition(Rgb8 c, const Lut& lut) {
 /// Codes of `levels` neighbouring levels; low = kAnywhere puts them anywhere.
 constexpr unsigned kAnywhere = 64;
 Lut random_lut(std::mt19937& random, std::size_t colours, unsigned low, unsigned levels) {
-  std::vector<Code6> codes(colours);
+  std::vector<DacCode> codes(colours);
   if (low == kAnywhere) low = static_cast<unsigned>(random()) % (65 - levels);
-  for (Code6& code : codes)
+  for (DacCode& code : codes)
     for (auto& level : code) level = static_cast<std::uint8_t>(low + random() % levels);
   return make_lut(codes);
 }
@@ -66,7 +66,7 @@ void expect_all_equal(const Planes& image, const Lut& lut) {
 
 TEST(NearestEntry, TiesTakeTheLowestIndex) {
   // Codes 0 and 2 are seen as 0 and 8; grey 4 lies half way.
-  const Lut lut = make_lut(std::vector<Code6>{{63, 63, 63}, {2, 2, 2}, {0, 0, 0}, {0, 0, 0}});
+  const Lut lut = make_lut(std::vector<DacCode>{{63, 63, 63}, {2, 2, 2}, {0, 0, 0}, {0, 0, 0}});
   EXPECT_EQ(nearest_entry({4, 4, 4}, lut), 1);
   EXPECT_EQ(nearest_entry({3, 4, 4}, lut), 2);
   EXPECT_EQ(nearest_entry({5, 4, 4}, lut), 1);
@@ -79,7 +79,7 @@ TEST(NearestEntry, TiesTakeTheLowestIndex) {
 TEST(NearestSearch, KeepsACandidateThatIsNearestOnlyAtACorner) {
   // Seen as 8 and 24: equally far from 16, the corner of a cube in which 24
   // is nearer to everything else.
-  const Lut lut = make_lut(std::vector<Code6>{{2, 2, 2}, {6, 6, 6}});
+  const Lut lut = make_lut(std::vector<DacCode>{{2, 2, 2}, {6, 6, 6}});
   EXPECT_EQ(NearestSearch(lut)({17, 16, 16}), 1);
   EXPECT_EQ(NearestSearch(lut)({16, 16, 16}), 0);
 }
@@ -117,7 +117,7 @@ TEST(MapToLut, EqualsTheDefinitionOnAnyLut) {
 }
 
 TEST(MapToLut, EqualsTheDefinitionOnAGridFullOfTies) {
-  std::vector<Code6> codes;
+  std::vector<DacCode> codes;
   for (int i = 0; i < 256; ++i)
     codes.push_back({static_cast<std::uint8_t>(i / 64 * 21),
                      static_cast<std::uint8_t>(i / 8 % 8 * 9),
@@ -147,7 +147,7 @@ int square_distance(Rgb8 a, Rgb8 b) {
 // of an axis, but for half a level. The later ones come first, so that a colour half-way
 // between two belongs to the cell that it lies in.
 TEST(InverseMap, IsExactWhereEntriesAreTheCellsCentres) {
-  std::vector<Code6> codes;
+  std::vector<DacCode> codes;
   for (int i = 124; i >= 0; --i)
     codes.push_back({static_cast<std::uint8_t>(i / 25 * 2 + 1),
                      static_cast<std::uint8_t>(i / 5 % 5 * 2 + 1),
@@ -212,7 +212,7 @@ TEST(InverseMap, ErrsByACellsDiagonalAtMost) {
   EXPECT_GT(wrong, 0u);
   // Near the bound: seen as 0 and 8, of which 0 is nearer to the centre 3.5, the entries
   // are 7 and 1 levels away on each axis.
-  const Lut corner = make_lut(std::vector<Code6>{{0, 0, 0}, {2, 2, 2}});
+  const Lut corner = make_lut(std::vector<DacCode>{{0, 0, 0}, {2, 2, 2}});
   EXPECT_EQ(nearest_entry({7, 7, 7}, corner), 1);
   EXPECT_EQ(InverseMap(corner)({7, 7, 7}), 0);
 }

@@ -55,12 +55,12 @@ Point hsv_point(Rgb8 colour, const Setting& is) {
 }
 
 /// Mean of pixels, as a code; hsv by the formula c = v - v s max(0, min(k, 4-k, 1)).
-Code6 mean_code(const Pixels& box, const Setting& is) {
+DacCode mean_code(const Pixels& box, const Setting& is) {
   const auto n = static_cast<Integer>(box.size());
   Point sum{};
   for (const Point& point : box)
     for (std::size_t a = 0; a < 3; ++a) sum[a] += point[a];
-  Code6 code;
+  DacCode code;
   for (std::size_t a = 0; a < 3; ++a) {
     Integer numerator = sum[a], denominator = 31 * n;
     if (is.space == Space::hsv) {
@@ -122,7 +122,7 @@ std::pair<Pixels, Pixels> halves(const Pixels& box) {
   return parts;
 }
 
-std::vector<Code6> naive_median(const Pixels& all, std::size_t entries, const Setting& is) {
+std::vector<DacCode> naive_median(const Pixels& all, std::size_t entries, const Setting& is) {
   std::list<Pixels> boxes;
   if (entries > 0) boxes.push_back(all);
   const auto split = [&](std::list<Pixels>::iterator box) {
@@ -153,15 +153,15 @@ std::vector<Code6> naive_median(const Pixels& all, std::size_t entries, const Se
     split(best);
     any = true;
   }
-  std::vector<Code6> codes;
+  std::vector<DacCode> codes;
   for (const Pixels& box : boxes) codes.push_back(mean_code(box, is));
   return codes;
 }
 
-std::vector<Code6> naive_frequency(const Pixels& all, std::size_t entries, const Setting& is) {
+std::vector<DacCode> naive_frequency(const Pixels& all, std::size_t entries, const Setting& is) {
   std::map<Point, int> counts;
   for (const Point& point : all) ++counts[point];
-  std::vector<Code6> codes;
+  std::vector<DacCode> codes;
   while (codes.size() < entries && !counts.empty()) {
     auto best = counts.begin();
     for (auto at = counts.begin(); at != counts.end(); ++at)
@@ -202,7 +202,7 @@ std::map<Integer, std::size_t> naive_shares(const std::map<Integer, Pixels>& pla
   return shares;
 }
 
-std::vector<Code6> naive_lut(const Planes& image, const Setting& is) {
+std::vector<DacCode> naive_lut(const Planes& image, const Setting& is) {
   Pixels all;
   for (std::size_t i = 0; i < image.size.pixels(); ++i) {
     if (i % is.sample != 0) continue;
@@ -210,7 +210,7 @@ std::vector<Code6> naive_lut(const Planes& image, const Setting& is) {
     all.push_back(is.space == Space::rgb ? Point{colour.r / 8, colour.g / 8, colour.b / 8}
                                          : hsv_point(colour, is));
   }
-  std::vector<Code6> codes;
+  std::vector<DacCode> codes;
   if (distinct(all) <= 256) {
     std::map<Point, int> cells;
     for (const Point& point : all) cells[point] = 1;

@@ -1,18 +1,12 @@
 #include "cli/cost/measure.h"
 #include "quant/metrics.h"
+#include "quant/shown_through.h"
 #include "tracer/processor_time.h"
 
 namespace sir::cli {
 namespace {
 
 double milliseconds(double from, double to) { return (to - from) * 1e3; }
-
-Planes as_seen(const Planes& image, const quant::Lut& lut,
-               const std::vector<std::uint8_t>& indices) {
-  Planes shown(image.size);
-  for (std::size_t i = 0; i < indices.size(); ++i) shown.set(i, quant::seen(lut.entry[indices[i]]));
-  return shown;
-}
 
 // The row before its first run.
 CostRow row_of(const LutSetting& setting) {
@@ -53,7 +47,7 @@ std::optional<CostPart> measure_lut(const Planes& image, const std::vector<LutSe
     if (options.stop.stop_requested()) return std::nullopt;
     const auto cells = quant::count_for(image, settings[i].choice);
     const auto lut = quant::choose_from(cells, settings[i].choice);
-    const Planes shown = as_seen(image, lut, map_by(settings[i].search, image, lut));
+    const Planes shown = quant::as_seen(image.size, map_by(settings[i].search, image, lut), lut);
     part.rows[i].lut->colours = cells.size();
     part.rows[i].lut->entries = lut.chosen;
     judge(image, shown, part.rows[i]);
