@@ -224,7 +224,7 @@ void add_metrics(CLI::App& app, Action& action) {
                   "write CIEDE2000 as an image: black 0, blue 2.5, red 5, yellow 7.5, white >= 10")
       ->type_name("FILE.png");
   sub->add_option("--lut", options->lut,
-                  "also say what REF loses through this LUT by its entries, by the DAC's 6 bits "
+                  "also say what REF loses through this LUT by its entries, by the DAC's bits "
                   "and by the mapping")
       ->type_name("FILE");
   add_size(sub, options->size, "size of the planes (640x480)");
