@@ -178,6 +178,9 @@ void add_show(CLI::App& app, Action& action) {
   sub->add_option("--png", options->png, "write the screen as indexed PNG, open no window")
       ->type_name("OUT.png");
   sub->add_flag("--crop", options->crop, "the image's area alone; also admits larger images");
+  add_parsed(sub, "--reserve", options->reserved, quant::parse_indices,
+             {"LIST", "a list of LUT entries from 0 to 255, such as 0-15,255"},
+             "entries that no pixel takes, nor the screen around the image; such as 0-15,255");
   add_size(sub, options->size, "size of the planes (640x480)");
   // The only ones so far; named so that a script may say what it relies on.
   const auto named = std::make_shared<std::string>();
@@ -186,6 +189,8 @@ void add_show(CLI::App& app, Action& action) {
   sub->callback([&action, options, named] {
     if (options->png && options->inputs.size() > 1)
       throw CLI::ValidationError("--png", "takes one image");
+    if (options->reserved.all())
+      throw CLI::ValidationError("--reserve", "leaves no entry to the image");
     for (Path& input : options->inputs) input = given_base(input);
     action = [options](const Session& session) { return run_show(*options, session); };
   });
