@@ -145,7 +145,7 @@ bool duel_of_processes(const Scratch& scratch, const std::string& program, const
   const Lut chosen = read_lut(lut);
   Planes shown(image.size);
   const auto indices = map_exhaustively(image, chosen);
-  for (std::size_t i = 0; i < indices.size(); ++i) shown.set(i, seen(chosen.entry[indices[i]]));
+  for (std::size_t i = 0; i < indices.size(); ++i) shown.set(i, chosen.seen(indices[i]));
   return chosen.entry == choose_lut(image).entry && sir::viewer::read_png(png) == shown;
 }
 

@@ -178,6 +178,9 @@ void add_show(CLI::App& app, Action& action) {
   sub->add_option("--png", options->png, "write the screen as indexed PNG, open no window")
       ->type_name("OUT.png");
   sub->add_flag("--crop", options->crop, "the image's area alone; also admits larger images");
+  add_parsed(sub, "--reserve", options->reserved, quant::parse_indices,
+             {"LIST", "a list of LUT entries from 0 to 255, such as 0-15,255"},
+             "entries that no pixel takes, nor the screen around the image; such as 0-15,255");
   add_size(sub, options->size, "size of the planes (640x480)");
   // The only ones so far; named so that a script may say what it relies on.
   const auto named = std::make_shared<std::string>();
@@ -186,6 +189,8 @@ void add_show(CLI::App& app, Action& action) {
   sub->callback([&action, options, named] {
     if (options->png && options->inputs.size() > 1)
       throw CLI::ValidationError("--png", "takes one image");
+    if (options->reserved.all())
+      throw CLI::ValidationError("--reserve", "leaves no entry to the image");
     for (Path& input : options->inputs) input = given_base(input);
     action = [options](const Session& session) { return run_show(*options, session); };
   });
@@ -224,7 +229,7 @@ void add_metrics(CLI::App& app, Action& action) {
                   "write CIEDE2000 as an image: black 0, blue 2.5, red 5, yellow 7.5, white >= 10")
       ->type_name("FILE.png");
   sub->add_option("--lut", options->lut,
-                  "also say what REF loses through this LUT by its entries, by the DAC's 6 bits "
+                  "also say what REF loses through this LUT by its entries, by the DAC's bits "
                   "and by the mapping")
       ->type_name("FILE");
   add_size(sub, options->size, "size of the planes (640x480)");

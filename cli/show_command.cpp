@@ -9,6 +9,7 @@
 #include "cli/output_path.h"
 #include "eltek/display_driver.h"
 #include "quant/choose.h"
+#include "quant/dac_parse.h"
 #include "quant/nearest.h"
 #include "tracer/atomic_file.h"
 #include "tracer/error.h"
@@ -51,7 +52,11 @@ viewer::ShownImage prepare(const std::filesystem::path& input, const ShowOptions
     note(session, input.string() + ": there is no " + with_suffix(image.base, "LUT").string() +
                       "; shown with a LUT chosen by median in hsv");
   }
-  image.indices = quant::map_to_lut(planes, image.lut);
+  if (image.lut.dac != quant::DacBits{})
+    note(session, input.string() + ": shown through a DAC of " + quant::bits_text(image.lut.dac) +
+                      " bits, which the MA120 did not have");
+  image.reserved = options.reserved;
+  image.indices = quant::map_to_lut(planes, image.lut, quant::Mapping::exact, options.reserved);
   return image;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/session.h"
+#include "quant/index_set.h"
 #include "tracer/planes.h"
 
 namespace sir::cli {
@@ -16,12 +17,14 @@ struct ShowOptions {
   std::optional<std::filesystem::path> png;   ///< write this file, open no window; one input
   ImageSize size;                             ///< of planes
   bool crop = false;                          ///< the image's area alone
+  quant::IndexSet reserved;                   ///< entries that no pixel takes; not all
 };
 
 /// Shows the images in a window, or writes the screen with the one image as
 /// an indexed PNG. Without `lut` an image takes BASE.LUT where that exists,
-/// else one is chosen by median in hsv and a note says so. Returns an exit
-/// code; throws FileError.
+/// else one is chosen by median in hsv and a note says so. Where a LUT is for
+/// another DAC than the MA120's, that DAC is fitted and a note says so. Returns
+/// an exit code; throws FileError.
 int run_show(const ShowOptions& options, const Session& session);
 
 }  // namespace sir::cli

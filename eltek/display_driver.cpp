@@ -6,7 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "eltek/dac.h"
+#include "quant/dac_parse.h"
+#include "quant/nearest.h"
 #include "tracer/error.h"
 
 namespace sir::eltek {
@@ -33,33 +34,29 @@ Placement place(const std::string& name, ImageSize image, Oversize oversize) {
 }
 
 void load_lut(LutPorts& ports, const quant::Lut& lut) {
+  if (lut.dac != ports.dac())
+    throw std::invalid_argument("a LUT for a DAC of " + quant::bits_text(lut.dac) +
+                                " bits; the one fitted has " + quant::bits_text(ports.dac()));
   ports.write_address(0);
   for (const quant::DacCode& entry : lut.entry)
     for (const std::uint8_t code : entry) ports.write_data(code);
 }
 
-std::uint8_t nearest_to_black(const quant::Lut& lut) {
-  const auto distance = [](const quant::DacCode& entry) {
-    const Rgb8 seen = dac_colour(entry);
-    return seen.r * seen.r + seen.g * seen.g + seen.b * seen.b;
-  };
-  const auto nearest = std::min_element(
-      lut.entry.begin(), lut.entry.end(),
-      [&](const quant::DacCode& a, const quant::DacCode& b) { return distance(a) < distance(b); });
-  return static_cast<std::uint8_t>(nearest - lut.entry.begin());
+std::uint8_t nearest_to_black(const quant::Lut& lut, const quant::IndexSet& reserved) {
+  return quant::nearest_entry(Rgb8{0, 0, 0}, lut, reserved);
 }
 
-Area show_image(Ma120& monitor, const IndexedImage& image, const quant::Lut& lut,
-                Oversize oversize) {
+Area show_image(Ma120& monitor, const IndexedImage& image, const quant::Lut& lut, Oversize oversize,
+                const quant::IndexSet& reserved) {
   const Placement placement = place(image.name, image.size, oversize);
   if (image.indices.size() != image.size.pixels())
     throw std::invalid_argument("an image has one index for every pixel");
+  const std::uint8_t border = nearest_to_black(lut, reserved);
   load_lut(monitor.lut_ports, lut);
   monitor.lut_ports.write_pixel_mask(0xFF);
   monitor.frame_buffer.set_write_mask(0xFF);
 
   const Area& area = placement.on_screen;
-  const std::uint8_t border = nearest_to_black(lut);
   std::array<std::uint8_t, FrameBuffer::kColumns> row;
   for (int j = 0; j < FrameBuffer::kRows; ++j) {
     row.fill(border);

@@ -7,6 +7,7 @@
 
 #include "eltek/ma120.h"
 #include "eltek/screen.h"
+#include "quant/index_set.h"
 #include "quant/lut.h"
 
 namespace sir::eltek {
@@ -36,18 +37,23 @@ struct Placement {
 Placement place(const std::string& name, ImageSize image, Oversize oversize);
 
 /// Step a: initialises the monitor's LUT through its ports, from entry 0 on.
+/// Throws std::invalid_argument for a LUT of another DAC than the one fitted:
+/// its codes would be seen as other colours.
 void load_lut(LutPorts& ports, const quant::Lut& lut);
 
 /// The entry whose colour as seen is nearest to black by squared distance,
-/// the lowest on ties; it fills the screen around an image.
-std::uint8_t nearest_to_black(const quant::Lut& lut);
+/// the lowest on ties, out of those that are not reserved; it fills the screen
+/// around an image. Throws std::invalid_argument where all are.
+std::uint8_t nearest_to_black(const quant::Lut& lut, const quant::IndexSet& reserved = {});
 
 /// Steps a to c: loads the LUT, opens both masks, sends the image's indices
 /// to its centred place and the index nearest to black to the rest of the
-/// screen. Returns the image's area on the screen. Throws FileError for an
-/// image that does not fit (see place), std::invalid_argument where indices
-/// and size disagree.
+/// screen, which takes no reserved entry. Returns the image's area on the
+/// screen. Throws FileError for an image that does not fit (see place),
+/// std::invalid_argument where indices and size disagree, where the LUT is not
+/// for the monitor's DAC and where all entries are reserved; the screen then
+/// stays as it was.
 Area show_image(Ma120& monitor, const IndexedImage& image, const quant::Lut& lut,
-                Oversize oversize = Oversize::refuse);
+                Oversize oversize = Oversize::refuse, const quant::IndexSet& reserved = {});
 
 }  // namespace sir::eltek

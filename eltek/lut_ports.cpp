@@ -1,6 +1,12 @@
 #include "eltek/lut_ports.h"
 
+#include <stdexcept>
+
 namespace sir::eltek {
+
+LutPorts::LutPorts(const quant::DacBits& dac) : dac_(dac) {
+  if (!dac.valid()) throw std::invalid_argument("a DAC of other than 1 to 8 bits per primary");
+}
 
 void LutPorts::write_address(std::uint8_t address) {
   address_ = address;
@@ -13,7 +19,7 @@ void LutPorts::read_address(std::uint8_t address) {
 }
 
 void LutPorts::write_data(std::uint8_t code) {
-  latch_[phase_] = code & 63u;
+  latch_[phase_] = static_cast<std::uint8_t>(code & dac_.max_code(phase_));
   if (phase_ == 2) entries_[address_] = latch_;
   advance();
 }

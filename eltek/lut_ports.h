@@ -24,13 +24,21 @@ namespace sir::eltek {
 /// either address resets the phase, so an entry left half written keeps its
 /// old codes. The third byte commits the entry and moves the address on by
 /// one, from 255 to 0.
+///
+/// With another DAC fitted, a primary's codes have that DAC's bits.
 class LutPorts {
  public:
+  /// Throws std::invalid_argument for other than 1 to 8 bits per primary.
+  explicit LutPorts(const quant::DacBits& dac = {});
+
+  /// The DAC behind the table.
+  const quant::DacBits& dac() const { return dac_; }
+
   void write_address(std::uint8_t address);
   void read_address(std::uint8_t address);
 
-  /// Takes the next code of the turn R, G, B; only its low 6 bits are wired
-  /// (64 becomes 0).
+  /// Takes the next code of the turn R, G, B; only its low bits are wired, as
+  /// many as the DAC has for that primary (on the MA120 6: 64 becomes 0).
   void write_data(std::uint8_t code);
 
   /// Gives the next code of the turn R, G, B.
@@ -48,6 +56,7 @@ class LutPorts {
  private:
   void advance();
 
+  quant::DacBits dac_;
   std::array<quant::DacCode, quant::kLutEntries> entries_{};
   quant::DacCode latch_{};  // bytes that wait for the third
   std::uint8_t address_ = 0;

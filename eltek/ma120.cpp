@@ -10,7 +10,7 @@ void Ma120::scan_line(int row, std::span<Rgb8, FrameBuffer::kColumns> line) cons
   std::array<std::uint8_t, FrameBuffer::kColumns> indices;
   frame_buffer.read_row(0, row, indices);
   for (std::size_t i = 0; i < indices.size(); ++i)
-    line[i] = dac_colour(lut_ports.look_up(indices[i]));
+    line[i] = dac_colour(lut_ports.look_up(indices[i]), dac());
 }
 
 Screen Ma120::scan_out() const {
@@ -22,7 +22,7 @@ Screen Ma120::scan_out() const {
 }
 
 IndexedScreen Ma120::capture() const {
-  IndexedScreen screen{kSize, std::vector<std::uint8_t>(kSize.pixels()), palette()};
+  IndexedScreen screen{kSize, std::vector<std::uint8_t>(kSize.pixels()), palette(), dac()};
   for (int row = 0; row < kSize.height; ++row)
     frame_buffer.read_row(
         0, row,
@@ -38,7 +38,7 @@ std::array<Rgb8, 256> Ma120::palette() const {
   ports.write_pixel_mask(0xFF);
   std::array<Rgb8, 256> colours;
   for (std::size_t i = 0; i < colours.size(); ++i)
-    colours[i] = dac_colour(ports.look_up(static_cast<std::uint8_t>(i)));
+    colours[i] = dac_colour(ports.look_up(static_cast<std::uint8_t>(i)), dac());
   return colours;
 }
 

@@ -18,12 +18,21 @@ namespace sir::eltek {
 /// The thesis says: 1024 x 780 pixels, 8 planes, 256 entries, 0..63 for each
 /// primary. How the parts are reached, a linear DAC and square pixels are our
 /// model. After power-on everything is 0 and both masks are open.
+///
+/// The MA120's DAC has 6 bits per primary. Another may be fitted, as if the
+/// machine had been built with it; all else stays.
 class Ma120 {
  public:
   static constexpr ImageSize kSize{FrameBuffer::kColumns, FrameBuffer::kRows};
 
+  /// Throws std::invalid_argument for other than 1 to 8 bits per primary.
+  explicit Ma120(const quant::DacBits& dac = {}) : lut_ports(dac) {}
+
   FrameBuffer frame_buffer;
   LutPorts lut_ports;
+
+  /// The DAC that is fitted.
+  const quant::DacBits& dac() const { return lut_ports.dac(); }
 
   /// Scans out one row, from the top: kSize.width colours as seen.
   void scan_line(int row, std::span<Rgb8, FrameBuffer::kColumns> line) const;

@@ -26,7 +26,7 @@ Screen crop(const Screen& screen, const Area& area) {
 }
 
 IndexedScreen crop(const IndexedScreen& screen, const Area& area) {
-  return {area.size, cut(screen.indices, screen.size, area), screen.palette};
+  return {area.size, cut(screen.indices, screen.size, area), screen.palette, screen.dac};
 }
 
 Planes to_planes(const Screen& screen) {

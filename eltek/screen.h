@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "quant/dac_code.h"
 #include "tracer/planes.h"
 
 namespace sir::eltek {
@@ -33,11 +34,13 @@ struct Screen {
 };
 
 /// The same screen before the LUT: the index of every pixel as it reaches the
-/// table (under the pixel mask), and the 256 entries as seen, in LUT order.
+/// table (under the pixel mask), the 256 entries as seen, in LUT order, and the
+/// DAC through which they are seen.
 struct IndexedScreen {
   ImageSize size{0, 0};
   std::vector<std::uint8_t> indices;
   std::array<Rgb8, 256> palette{};
+  quant::DacBits dac{};
   friend bool operator==(const IndexedScreen&, const IndexedScreen&) = default;
 };
 

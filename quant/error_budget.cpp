@@ -27,7 +27,7 @@ double square_error(Rgb a, Rgb b) {
 
 std::vector<Rgb> seen_colours(const Lut& lut) {
   std::vector<Rgb> colours;
-  for (std::size_t i = 0; i < lut.chosen; ++i) colours.push_back(as_rgb(seen(lut.entry[i])));
+  for (std::size_t i = 0; i < lut.chosen; ++i) colours.push_back(as_rgb(lut.seen(i)));
   return colours;
 }
 
@@ -40,7 +40,7 @@ ErrorBudget budget(const Planes& reference, const Lut& lut, std::span<const Rgb>
   NearestSearch search(lut);
   Errors sum;
   for (const auto& [colour, count] : distinct_colours(reference)) {
-    const Errors errors = errors_of(colour, seen(lut.entry[search(colour)]));
+    const Errors errors = errors_of(colour, lut.seen(search(colour)));
     const auto pixels = static_cast<double>(count);
     sum.unrounded += pixels * errors.unrounded;
     sum.rounded += pixels * errors.rounded;
@@ -81,10 +81,10 @@ double least_possible(const Lab& a, const Lab& b) {
   return std::sqrt(l * l + kShare * (x * x + y * y)) * (1 - 1e-12);
 }
 
-/// The colour of a primary nearest to `wanted` that is rounded to the code.
-double nearest_before_rounding(double wanted, int code) {
-  const double low = std::max((code - 0.5) / kMaxCode, 0.0);
-  const double high = std::min((code + 0.5) / kMaxCode, 1.0);
+/// The colour of a primary nearest to `wanted` that is rounded to the code out of 0 to `most`.
+double nearest_before_rounding(double wanted, int code, int most) {
+  const double low = std::max((code - 0.5) / most, 0.0);
+  const double high = std::min((code + 0.5) / most, 1.0);
   return std::clamp(wanted, low, high);
 }
 
@@ -164,9 +164,11 @@ std::vector<Rgb> unrounded_colours(const Planes& reference, const Lut& lut) {
     if (!known.insert(code).second) continue;
     const auto primary = [&](std::size_t c) {
       const Sum& sum = sums[i];
-      if (sum.pixels == 0) return static_cast<double>(code[c]) / kMaxCode;
+      const int most = lut.dac.max_code(c);
+      if (sum.pixels == 0) return static_cast<double>(code[c]) / most;
       return nearest_before_rounding(
-          static_cast<double>(sum.bytes[c]) / (255 * static_cast<double>(sum.pixels)), code[c]);
+          static_cast<double>(sum.bytes[c]) / (255 * static_cast<double>(sum.pixels)), code[c],
+          most);
     };
     colours.push_back({primary(0), primary(1), primary(2)});
   }

@@ -14,7 +14,7 @@ namespace sir::quant {
 /// Three steps from the image to what is shown; the error after each is that
 /// of an image with each pixel as
 /// 1. the best of the unrounded colours,
-/// 2. the best of the entries as seen, which are those rounded to 6 bits,
+/// 2. the best of the entries as seen, which are those rounded to the bits of the LUT's DAC,
 /// 3. the entry that the monitor shows: the nearest in bytes (shown_through).
 /// A step's part is what it adds, so the parts make up the total.
 struct ErrorBudget {
@@ -40,8 +40,8 @@ ErrorBudget square_error_budget(const Planes& reference, const Lut& lut);
 
 /// What the different entries of a LUT may have been before rounding, however
 /// they were chosen: out of all colours that become the entry's code, the one
-/// nearest to the mean of the pixels that it shows; e / 63 for an entry that
-/// shows none. So no more is laid to the DAC than rounding can have done, and
+/// nearest to the mean of the pixels that it shows; e / 63 (of a DAC of 6 bits)
+/// for an entry that shows none. So no more is laid to the DAC than rounding can have done, and
 /// the square error's `dac` is never below 0. In the entries' order.
 std::vector<Rgb> unrounded_colours(const Planes& reference, const Lut& lut);
 

@@ -2,10 +2,11 @@
 // pricing the exact search of thesis 3.5 (see Mapping in quant/nearest.h).
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "quant/index_set.h"
 #include "quant/lut.h"
 #include "tracer/planes.h"
 
@@ -25,7 +26,8 @@ class InverseMap {
   static constexpr int kCellBits = 3;                     ///< 8 levels a side
   static constexpr double kWorst = 12.12435565298214106;  ///< 7 sqrt(3) levels
 
-  explicit InverseMap(const Lut& lut);
+  /// Cells take no entry that is reserved. Throws std::invalid_argument where all are.
+  explicit InverseMap(const Lut& lut, const IndexSet& reserved = {});
 
   /// The index of the entry that its cell's centre is nearest to.
   std::uint8_t operator()(Rgb8 colour) {
@@ -43,8 +45,11 @@ class InverseMap {
   }
   std::int16_t nearest_to_centre(Rgb8 colour) const;
 
-  std::array<Rgb8, kLutEntries> entries_;
-  std::size_t chosen_;               // those behind it repeat the last
+  struct Entry {
+    Rgb8 colour;
+    std::int16_t index;
+  };
+  std::vector<Entry> entries_;       // those that may be taken, the last chosen colour once
   std::vector<std::int16_t> cells_;  // -1: no colour of it yet
 };
 

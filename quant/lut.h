@@ -28,19 +28,25 @@ struct Lut {
 };
 
 /// The LUT of 1 to 256 chosen colours in their order; std::invalid_argument
-/// for another number of them.
+/// for another number of them, for a DAC that is not valid and for codes that
+/// it does not have.
 Lut make_lut(std::span<const DacCode> colours, const DacBits& dac = {});
 
-/// The file's text: 256 lines `r g b`, 0 to 63.
+/// The file's text: 256 lines `r g b`, 0 to 63 (3.6.5). Only a LUT for another
+/// DAC than the MA120's says so, in a line before those: `DAC 5 6 5`, the bits
+/// of r, g and b, with codes in that DAC's ranges. A program that knows the 256
+/// lines alone refuses that line, which is better than showing all colours
+/// too dark or too bright.
 std::string lut_text(const Lut& lut);
 
 /// Writes lut_text(). Throws FileError.
 void write_lut(const std::filesystem::path& path, const Lut& lut);
 
-/// Reads what write_lut writes; `chosen` ends where the last entry's
-/// repetition begins. Throws FileError, with the line, for fewer or more than
-/// 256 entries, other than three words in a line, and for anything but
-/// integers from 0 to 63.
+/// Reads what write_lut writes, the keyword in upper or lower case; `DAC 6 6 6`
+/// may stand or not. `chosen` ends where the last entry's repetition begins.
+/// Throws FileError, with the line, for other than 1 to 8 bits, fewer or more
+/// than 256 entries, other than three words in a line, and for anything but
+/// integers from 0 to the largest code of the primary, 63 on the MA120.
 Lut read_lut(const std::filesystem::path& path);
 
 }  // namespace sir::quant

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "quant/inverse_map.h"
 
@@ -10,19 +11,29 @@ namespace {
 
 constexpr int square(int x) { return x * x; }
 
-using Colours = std::array<Rgb8, kLutEntries>;
+/// The entries that may be taken, in their order.
+struct Entries {
+  std::array<Rgb8, kLutEntries> colour;
+  std::array<std::uint8_t, kLutEntries> index;
+  std::size_t count = 0;
+};
 
-Colours colours_of(const Lut& lut) {
-  Colours colours;
-  for (std::size_t i = 0; i < kLutEntries; ++i) colours[i] = lut.seen(i);
-  return colours;
+Entries entries_of(const Lut& lut, const IndexSet& reserved) {
+  if (reserved.all()) throw std::invalid_argument("a LUT of reserved entries only");
+  Entries entries;
+  for (std::size_t i = 0; i < kLutEntries; ++i) {
+    if (reserved[i]) continue;
+    entries.colour[entries.count] = lut.seen(i);
+    entries.index[entries.count++] = static_cast<std::uint8_t>(i);
+  }
+  return entries;
 }
 
-std::uint8_t nearest_of(Rgb8 colour, const Colours& entries) {
+std::uint8_t nearest_of(Rgb8 colour, const Entries& entries) {
   std::size_t best = 0;
   int best_distance = 3 * square(255) + 1;
-  for (std::size_t i = 0; i < kLutEntries; ++i) {
-    const Rgb8 entry = entries[i];
+  for (std::size_t i = 0; i < entries.count; ++i) {
+    const Rgb8 entry = entries.colour[i];
     const int distance =
         square(entry.r - colour.r) + square(entry.g - colour.g) + square(entry.b - colour.b);
     if (distance < best_distance) {
@@ -30,7 +41,7 @@ std::uint8_t nearest_of(Rgb8 colour, const Colours& entries) {
       best = i;
     }
   }
-  return static_cast<std::uint8_t>(best);
+  return entries.index[best];
 }
 
 /// Distance and index in one number, so that the least of them is the nearest
@@ -59,25 +70,27 @@ class Memory {
 
 }  // namespace
 
-std::uint8_t nearest_entry(Rgb8 colour, const Lut& lut) {
-  return nearest_of(colour, colours_of(lut));
+std::uint8_t nearest_entry(Rgb8 colour, const Lut& lut, const IndexSet& reserved) {
+  return nearest_of(colour, entries_of(lut, reserved));
 }
 
-std::vector<std::uint8_t> map_exhaustively(const Planes& image, const Lut& lut) {
-  const Colours colours = colours_of(lut);
+std::vector<std::uint8_t> map_exhaustively(const Planes& image, const Lut& lut,
+                                           const IndexSet& reserved) {
+  const Entries entries = entries_of(lut, reserved);
   std::vector<std::uint8_t> indices(image.size.pixels());
-  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = nearest_of(image.at(i), colours);
+  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = nearest_of(image.at(i), entries);
   return indices;
 }
 
-std::vector<std::uint8_t> map_to_lut(const Planes& image, const Lut& lut, Mapping mapping) {
+std::vector<std::uint8_t> map_to_lut(const Planes& image, const Lut& lut, Mapping mapping,
+                                     const IndexSet& reserved) {
   std::vector<std::uint8_t> indices(image.size.pixels());
   if (mapping == Mapping::approximate) {
-    InverseMap map(lut);
+    InverseMap map(lut, reserved);
     for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = map(image.at(i));
     return indices;
   }
-  NearestSearch search(lut);
+  NearestSearch search(lut, reserved);
   Memory memory;
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const Rgb8 colour = image.at(i);
@@ -98,13 +111,16 @@ NearestSearch::Range& NearestSearch::Cubes::around(Rgb8 colour) {
                                          ((colour.g >> shift) << side) + (colour.b >> shift))];
 }
 
-NearestSearch::NearestSearch(const Lut& lut) : levels_{Cubes(5), Cubes(4)} {
-  for (std::size_t i = 0; i < kLutEntries; ++i) {
-    if (std::find(lut.entry.begin(), lut.entry.begin() + static_cast<std::ptrdiff_t>(i),
-                  lut.entry[i]) != lut.entry.begin() + static_cast<std::ptrdiff_t>(i))
+NearestSearch::NearestSearch(const Lut& lut, const IndexSet& reserved)
+    : levels_{Cubes(5), Cubes(4)} {
+  const Entries entries = entries_of(lut, reserved);
+  const auto first = entries.colour.begin();
+  for (std::size_t i = 0; i < entries.count; ++i) {
+    const Rgb8 colour = entries.colour[i];
+    const auto here = first + static_cast<std::ptrdiff_t>(i);
+    if (std::find(first, here, colour) != here)
       continue;  // an equal entry of lower index always comes first
-    const Rgb8 bytes = lut.seen(i);
-    candidates_.push_back({bytes.r, bytes.g, bytes.b, static_cast<std::uint8_t>(i)});
+    candidates_.push_back({colour.r, colour.g, colour.b, entries.index[i]});
   }
   all_.count = static_cast<std::uint32_t>(candidates_.size());
 }

@@ -82,6 +82,9 @@ TEST_F(CliTest, WrongUsageExitsWith2AndNamesTheOption) {
            {{"lut", "s", "--sample", "0"}, "--sample"},
            {{"show"}, "IMAGE"},
            {{"show", "s", "s", "--png", "x.png"}, "--png"},
+           {{"show", "s", "--reserve", "0-256"}, "--reserve"},
+           {{"show", "s", "--reserve", "9-3"}, "--reserve"},
+           {{"show", "s", "--reserve", "0-255"}, "--reserve"},
            {{"planes", "s", "-o", "a", "--out", "b"}, "-o"},
            {{"table", "--repeats", "0"}, "--repeats"},
            {{"hsv", "file"}, "file"}}) {

@@ -36,6 +36,19 @@ TEST(Dac, OnlySixBitsAreWired) {
     EXPECT_EQ(dac_level(static_cast<std::uint8_t>(byte)), dac_level(byte & 63));
 }
 
+TEST(Dac, OfAnyBitsRoundsExactlyAndWiresTheLowBits) {
+  for (int bits = 1; bits <= 8; ++bits) {
+    const int most = (1 << bits) - 1;
+    for (int code = 0; code < 256; ++code) {
+      const int level = dac_level(static_cast<std::uint8_t>(code), bits), e = code & most;
+      EXPECT_LE(2 * most * level, 510 * e + most) << bits << " bits, code " << code;
+      EXPECT_GT(2 * most * (level + 1), 510 * e + most) << bits << " bits, code " << code;
+    }
+  }
+  EXPECT_EQ(dac_colour({31, 63, 31}, {{5, 6, 5}}), (Rgb8{255, 255, 255}));
+  EXPECT_EQ(dac_colour({12, 12, 11}, {{5, 6, 5}}), (Rgb8{99, 49, 90}));
+}
+
 TEST(Dac, OneConverterPerPrimary) { EXPECT_EQ(dac_colour({0, 32, 63}), (Rgb8{0, 130, 255})); }
 
 }  // namespace

@@ -46,6 +46,19 @@ TEST(DisplayDriver, LoadsTheLutThroughThePorts) {
     EXPECT_EQ(ports.look_up(static_cast<std::uint8_t>(i)), some_lut().entry[i]) << i;
 }
 
+TEST(DisplayDriver, RefusesALutOfAnotherDac) {
+  quant::Lut lut = some_lut();
+  lut.dac = {{5, 6, 5}};
+  LutPorts ports;
+  EXPECT_THROW(load_lut(ports, lut), std::invalid_argument);
+  EXPECT_EQ(ports.look_up(1), quant::DacCode{});
+  LutPorts other(lut.dac);
+  EXPECT_THROW(load_lut(other, some_lut()), std::invalid_argument);
+  for (auto& entry : lut.entry) entry = {31, 63, 31};
+  load_lut(other, lut);
+  EXPECT_EQ(other.look_up(200), (quant::DacCode{31, 63, 31}));
+}
+
 TEST(DisplayDriver, PlacesTheDefaultImageWhereTheContractSays) {
   const Placement placement = place("SCENE", {640, 480}, Oversize::refuse);
   EXPECT_EQ(placement.on_screen, (Area{192, 150, {640, 480}}));
@@ -103,6 +116,35 @@ TEST(DisplayDriver, NearestToBlackComparesBytesAsSeen) {
   EXPECT_EQ(nearest_to_black(lut), 20);
 }
 
+TEST(DisplayDriver, NearestToBlackIsSeenThroughTheLutsDac) {
+  quant::Lut lut;
+  lut.dac = {{4, 6, 6}};
+  lut.entry.fill({15, 63, 63});
+  lut.entry[10] = {1, 0, 0};  // seen as 17 0 0
+  lut.entry[20] = {0, 3, 0};  // seen as 0 12 0
+  EXPECT_EQ(nearest_to_black(lut), 20);
+}
+
+TEST(DisplayDriver, NearestToBlackIsNotReserved) {
+  quant::Lut lut;
+  lut.entry.fill({63, 63, 63});
+  lut.entry[10] = lut.entry[30] = {0, 0, 0};
+  lut.entry[20] = {1, 0, 0};
+  EXPECT_EQ(nearest_to_black(lut, quant::IndexSet().set(10)), 30);
+  EXPECT_EQ(nearest_to_black(lut, quant::IndexSet().set(10).set(30)), 20);
+  EXPECT_THROW(nearest_to_black(lut, quant::IndexSet().set()), std::invalid_argument);
+}
+
+TEST(DisplayDriver, TheSurroundTakesNoReservedEntry) {
+  Ma120 monitor;
+  const auto indices = some_indices({10, 10});
+  quant::Lut lut = some_lut();
+  lut.entry[99] = {1, 0, 0};
+  show_image(monitor, {"S", {10, 10}, indices}, lut, Oversize::refuse, quant::IndexSet().set(77));
+  EXPECT_EQ(monitor.frame_buffer.read(0, 0), 99);
+  EXPECT_EQ(monitor.frame_buffer.read(1023, 779), 99);
+}
+
 TEST(DisplayDriver, ShowsTheImageAndFillsTheRest) {
   Ma120 monitor;
   monitor.frame_buffer.set_write_mask(0x01);
@@ -156,6 +198,12 @@ TEST(DisplayDriver, ARefusedImageLeavesTheScreenAlone) {
   const IndexedScreen before = monitor.capture();
   EXPECT_THROW(show_image(monitor, {"B", {1025, 1}, large}, quant::Lut{}), FileError);
   EXPECT_THROW(show_image(monitor, {"C", {9, 9}, small}, quant::Lut{}), std::invalid_argument);
+  quant::Lut high_colour;
+  high_colour.dac = {{5, 6, 5}};
+  EXPECT_THROW(show_image(monitor, {"D", {10, 10}, small}, high_colour), std::invalid_argument);
+  EXPECT_THROW(show_image(monitor, {"E", {10, 10}, small}, quant::Lut{}, Oversize::refuse,
+                          quant::IndexSet().set()),
+               std::invalid_argument);
   EXPECT_EQ(monitor.capture(), before);
 }
 

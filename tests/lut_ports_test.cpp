@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <stdexcept>
 
 namespace sir::eltek {
 namespace {
@@ -48,6 +49,17 @@ TEST(LutPorts, KeepsTheLowSixBits) {
   ports.write_address(0);
   send(ports, {64, 63, 255});
   EXPECT_EQ(ports.look_up(0), (DacCode{0, 63, 63}));
+}
+
+TEST(LutPorts, KeepsTheBitsOfTheDacThatIsFitted) {
+  LutPorts ports(quant::DacBits{{5, 8, 1}});
+  EXPECT_EQ(ports.dac(), (quant::DacBits{{5, 8, 1}}));
+  ports.write_address(0);
+  send(ports, {33, 254, 2, 31, 255, 3});
+  EXPECT_EQ(ports.look_up(0), (DacCode{1, 254, 0}));
+  EXPECT_EQ(ports.look_up(1), (DacCode{31, 255, 1}));
+  EXPECT_EQ(LutPorts().dac(), quant::DacBits{});
+  EXPECT_THROW(LutPorts(quant::DacBits{{6, 9, 6}}), std::invalid_argument);
 }
 
 TEST(LutPorts, AnAddressResetsThePhase) {

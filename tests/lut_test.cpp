@@ -104,6 +104,14 @@ TEST(ChooseLut, TheLimitsMakeGreys) {
   EXPECT_EQ(lut.entry[1], (DacCode{50, 50, 50}));
 }
 
+TEST(MakeLut, RefusesWhatTheDacHasNot) {
+  const DacBits high_colour{{5, 6, 5}};
+  EXPECT_EQ(make_lut(std::vector<DacCode>{{31, 63, 31}}, high_colour).dac, high_colour);
+  EXPECT_THROW(make_lut(std::vector<DacCode>{{32, 63, 31}}, high_colour), std::invalid_argument);
+  EXPECT_THROW(make_lut(std::vector<DacCode>{{0, 0, 0}, {0, 64, 0}}), std::invalid_argument);
+  EXPECT_THROW(make_lut(std::vector<DacCode>{{0, 0, 0}}, {{6, 6, 9}}), std::invalid_argument);
+}
+
 TEST_F(LutFile, HoldsOneLineForEachEntry) {
   write_lut(path_, make_lut(std::vector<DacCode>{{1, 2, 3}, {63, 0, 10}}));
   EXPECT_EQ(content(), "1 2 3\n" + lines(255, "63 0 10\n"));
@@ -149,6 +157,70 @@ TEST_F(LutFile, NamesTheLineThatIsWrong) {
             ":1: entry 0 of 0 to 255: three integers expected, 4 words found");
   EXPECT_EQ(error_of("0\n" + lines(255)),
             ":1: entry 0 of 0 to 255: three integers expected, 1 word found");
+}
+
+const DacBits kDacs[] = {{{5, 6, 5}}, {{4, 4, 4}}, {{8, 8, 8}}, {{3, 3, 2}},
+                         {{1, 1, 1}}, {{6, 6, 7}}, {{8, 1, 6}}, {{6, 6, 6}}};
+
+TEST_F(LutFile, ReadsWhatWasWrittenForAnyDac) {
+  for (const DacBits& dac : kDacs) {
+    std::vector<DacCode> colours;
+    for (int i = 0; i < 256; ++i)
+      colours.push_back({static_cast<std::uint8_t>(i & dac.max_code(0)),
+                         static_cast<std::uint8_t>(~i & dac.max_code(1)),
+                         static_cast<std::uint8_t>(i / 3 & dac.max_code(2))});
+    for (const std::size_t count : {1, 2, 100, 256}) {
+      const Lut lut = make_lut(std::span(colours).first(count), dac);
+      write_lut(path_, lut);
+      const Lut read = read_lut(path_);
+      EXPECT_EQ(read.entry, lut.entry);
+      EXPECT_EQ(read.dac, dac);
+    }
+  }
+}
+
+TEST_F(LutFile, NamesTheDacOnlyWhereItIsNotTheMa120s) {
+  write_lut(path_, make_lut(std::vector<DacCode>{{1, 2, 3}}, {{5, 6, 5}}));
+  EXPECT_EQ(content(), "DAC 5 6 5\n" + lines(256));
+  write_lut(path_, make_lut(std::vector<DacCode>{{1, 2, 3}}, {{6, 6, 6}}));
+  EXPECT_EQ(content(), lines(256));
+}
+
+TEST_F(LutFile, ReadsTheDacInAnyCaseAndAmongBlanks) {
+  write("\r\n  dac\t5 06  5 \r\n\n" + lines(256, "31 63 31\n"));
+  const Lut lut = read_lut(path_);
+  EXPECT_EQ(lut.dac, (DacBits{{5, 6, 5}}));
+  EXPECT_EQ(lut.chosen, 1u);
+  EXPECT_EQ(lut.seen(0), (Rgb8{255, 255, 255}));
+  write("Dac 6 6 6\n" + lines(256, "63 63 63\n"));
+  EXPECT_EQ(read_lut(path_).dac, DacBits{});
+}
+
+TEST_F(LutFile, NamesWhatIsWrongWithTheDac) {
+  for (const char* bad : {"0", "9", "-6", "6.0", "six", "99999999999999999999"})
+    EXPECT_EQ(error_of("DAC 5 " + std::string(bad) + " 5\n" + lines(256)),
+              ":1: DAC: \"" + std::string(bad) + "\" is not a number of bits from 1 to 8");
+  EXPECT_EQ(error_of("DAC\n" + lines(256)),
+            ":1: DAC: the bits of three primaries expected, 0 words found");
+  EXPECT_EQ(error_of("\nDAC 6\n" + lines(256)),
+            ":2: DAC: the bits of three primaries expected, 1 word found");
+  EXPECT_EQ(error_of("DAC 5 6 5 8\n" + lines(256)),
+            ":1: DAC: the bits of three primaries expected, 4 words found");
+  // The codes are those of the DAC that is named, primary by primary.
+  EXPECT_EQ(error_of("DAC 5 6 4\n" + lines(3) + "32 0 0\n" + lines(252)),
+            ":5: entry 3 of 0 to 255: \"32\" is not an integer from 0 to 31");
+  EXPECT_EQ(error_of("DAC 5 6 4\n" + lines(3) + "31 64 0\n" + lines(252)),
+            ":5: entry 3 of 0 to 255: \"64\" is not an integer from 0 to 63");
+  EXPECT_EQ(error_of("DAC 5 6 4\n" + lines(3) + "31 63 16\n" + lines(252)),
+            ":5: entry 3 of 0 to 255: \"16\" is not an integer from 0 to 15");
+  EXPECT_EQ(error_of("DAC 8 8 8\n" + lines(255) + "0 256 0\n"),
+            ":257: entry 255 of 0 to 255: \"256\" is not an integer from 0 to 255");
+  EXPECT_EQ(error_of("DAC 5 6 5\n"), ":1: the file ends where entry 0 of 0 to 255 should stand");
+  EXPECT_EQ(error_of("DAC 5 6 5\n" + lines(257)), ":258: more than 256 entries");
+  // It stands before the entries, once.
+  EXPECT_EQ(error_of("DAC 5 6 5\nDAC 5 6 5\n" + lines(256)),
+            ":2: entry 0 of 0 to 255: three integers expected, 4 words found");
+  EXPECT_EQ(error_of(lines(256) + "DAC 5 6 5\n"), ":257: more than 256 entries");
 }
 
 TEST_F(LutFile, MissingFileOrFolder) {

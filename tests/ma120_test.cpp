@@ -105,6 +105,24 @@ TEST(Ma120, CaptureIsTheScreenBeforeTheLut) {
   }
 }
 
+TEST(Ma120, ShowsThroughTheDacThatIsFitted) {
+  const quant::DacBits dac{{5, 6, 5}};
+  Ma120 monitor(dac);
+  EXPECT_EQ(monitor.dac(), dac);
+  EXPECT_EQ(Ma120().dac(), quant::DacBits{});
+  monitor.lut_ports.write_address(9);
+  for (const int code : {12, 12, 11}) monitor.lut_ports.write_data(static_cast<std::uint8_t>(code));
+  monitor.frame_buffer.write(3, 4, 9);
+  const Rgb8 seen{99, 49, 90};
+  EXPECT_EQ(monitor.scan_out().at(3, 4), seen);
+  EXPECT_EQ(monitor.palette()[9], seen);
+  const IndexedScreen capture = monitor.capture();
+  EXPECT_EQ(capture.palette[9], seen);
+  EXPECT_EQ(capture.dac, dac);
+  EXPECT_EQ(crop(capture, {1, 1, {5, 5}}).dac, dac);
+  EXPECT_THROW(Ma120(quant::DacBits{{0, 6, 6}}), std::invalid_argument);
+}
+
 TEST(Screen, CropTakesTheArea) {
   const Ma120 monitor = with_pattern();
   const Area area{1000, 700, {24, 80}};

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "quant/choose.h"
+#include "quant/lattice.h"
 #include "quant/metrics.h"
 #include "quant/shown_through.h"
 #include "tests/random_planes.h"
@@ -65,6 +67,25 @@ TEST(ErrorBudget, OfEntriesThatAreTheColoursIsTheDacAlone) {
   }
 }
 
+TEST(ErrorBudget, RoundsToTheBitsOfTheLutsDac) {
+  // The same two colours. In 5,6,5 bits the codes are seen as 99 49 8 and 197 28 90: off by
+  // 2 1 1 and 3 2 0. In 8 bits nothing is rounded.
+  Planes image(ImageSize{2, 1});
+  image.set(0, {101, 50, 7});
+  image.set(1, {200, 30, 90});
+  const Lut coarse = make_lut(std::vector<DacCode>{{12, 12, 1}, {24, 7, 11}}, {{5, 6, 5}});
+  const ErrorBudget square = square_error_budget(image, coarse);
+  EXPECT_NEAR(square.total, (6 / 3.0 + 13 / 3.0) / 2, 1e-12);
+  EXPECT_NEAR(square.dac, square.total, 1e-9);
+  const ErrorBudget difference = error_budget(image, coarse);
+  EXPECT_NEAR(difference.total, measure(image, shown_through(image, coarse)).de_mean, 1e-12);
+  EXPECT_NEAR(difference.entries, 0, 1e-5);
+  EXPECT_NEAR(difference.dac, difference.total, 1e-5);
+  const Lut fine = make_lut(std::vector<DacCode>{{101, 50, 7}, {200, 30, 90}}, {{8, 8, 8}});
+  EXPECT_EQ(error_budget(image, fine).total, 0);
+  EXPECT_EQ(square_error_budget(image, fine).total, 0);
+}
+
 TEST(ErrorBudget, BlamesTheMappingWhereAnotherEntryLooksBetter) {
   // In bytes the blue is nearer to black than to the brighter blue; to the eye it is not.
   Planes image(ImageSize{1, 1});
@@ -110,6 +131,28 @@ TEST(UnroundedColours, BecomeTheEntries) {
       EXPECT_GE(primary, 0);
       EXPECT_LE(primary, 1);
     }
+}
+
+TEST(UnroundedColours, OfAnyDacBecomeItsCodes) {
+  const Planes image = picture();
+  for (const DacBits& dac : {DacBits{{5, 6, 5}}, DacBits{{3, 3, 2}}, DacBits{{8, 8, 8}}}) {
+    std::set<DacCode> codes;
+    for (std::size_t i = 0; i < image.size.pixels(); i += 97)
+      codes.insert(nearest_code(image.at(i), dac));
+    codes.insert(DacCode{1, 0, 1});  // shows no pixel
+    const std::vector<DacCode> entries(codes.begin(), codes.end());
+    const Lut lut = make_lut(entries, dac);
+    const auto colours = unrounded_colours(image, lut);
+    ASSERT_EQ(colours.size(), entries.size());
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double primary = c == 0 ? colours[i].r : c == 1 ? colours[i].g : colours[i].b;
+        EXPECT_LE(std::abs(dac.max_code(c) * primary - entries[i][c]), 0.5 + 1e-9);
+      }
+    const ErrorBudget budget = square_error_budget(image, lut);
+    EXPECT_NEAR(budget.entries + budget.dac, budget.total, 1e-12);
+    EXPECT_GE(budget.dac, -1e-9);
+  }
 }
 
 /// Blues, about which CIEDE2000 is most oblique.

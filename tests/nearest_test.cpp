@@ -18,10 +18,11 @@ namespace sir::quant {
 namespace {
 
 /// The definition (thesis 3.5), once more.
-int by_definition(Rgb8 c, const Lut& lut) {
+int by_definition(Rgb8 c, const Lut& lut, const IndexSet& reserved = {}) {
   int best = -1, least = 0;
   for (int i = 255; i >= 0; --i) {
-    const Rgb8 e = seen(lut.entry[static_cast<std::size_t>(i)]);
+    if (reserved[static_cast<std::size_t>(i)]) continue;
+    const Rgb8 e = seen(lut.entry[static_cast<std::size_t>(i)], lut.dac);
     const int d = (e.r - c.r) * (e.r - c.r) + (e.g - c.g) * (e.g - c.g) + (e.b - c.b) * (e.b - c.b);
     if (best < 0 || d <= least) {
       best = i;
@@ -57,11 +58,12 @@ Planes ramps() {
   return image;
 }
 
-void expect_all_equal(const Planes& image, const Lut& lut) {
-  const auto fast = map_to_lut(image, lut);
+void expect_all_equal(const Planes& image, const Lut& lut, const IndexSet& reserved = {}) {
+  const auto fast = map_to_lut(image, lut, Mapping::exact, reserved);
   ASSERT_EQ(fast.size(), image.size.pixels());
-  ASSERT_EQ(fast, map_exhaustively(image, lut));
-  for (std::size_t i = 0; i < fast.size(); ++i) ASSERT_EQ(fast[i], by_definition(image.at(i), lut));
+  ASSERT_EQ(fast, map_exhaustively(image, lut, reserved));
+  for (std::size_t i = 0; i < fast.size(); ++i)
+    ASSERT_EQ(fast[i], by_definition(image.at(i), lut, reserved));
 }
 
 TEST(NearestEntry, TiesTakeTheLowestIndex) {
@@ -223,6 +225,18 @@ TEST(InverseMap, IsUsedWhereItIsAskedFor) {
   const Planes image = noise(6);
   EXPECT_EQ(map_to_lut(image, lut), map_to_lut(image, lut, Mapping::exact));
   EXPECT_NE(map_to_lut(image, lut), map_to_lut(image, lut, Mapping::approximate));
+}
+
+TEST(MapToLut, EqualsTheDefinitionForAnyDac) {
+  std::mt19937 random(18);
+  for (const DacBits& dac : {DacBits{{5, 6, 5}}, DacBits{{8, 8, 8}}, DacBits{{1, 2, 3}}}) {
+    std::vector<DacCode> codes(256);
+    for (DacCode& code : codes)
+      for (std::size_t c = 0; c < 3; ++c)
+        code[c] = static_cast<std::uint8_t>(random() & static_cast<unsigned>(dac.max_code(c)));
+    expect_all_equal(noise(7), make_lut(codes, dac));
+    expect_all_equal(ramps(), make_lut(codes, dac));
+  }
 }
 
 TEST(MapToLut, OfNoPixelsIsEmpty) {

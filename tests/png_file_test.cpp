@@ -160,6 +160,17 @@ TEST_F(PngFile, IndexedKeepsTheLutOrderAndSaysSixBits) {
   png_destroy_read_struct(&png, &info, nullptr);
 }
 
+TEST_F(PngFile, IndexedSaysTheBitsOfAnotherDac) {
+  eltek::IndexedScreen screen = some_screen();
+  screen.dac = {{5, 8, 1}};
+  write_indexed_png(file(), screen);
+  const Bytes bytes = content(file());
+  const std::string text(bytes.begin(), bytes.end());
+  const auto chunk = text.find("sBIT");
+  ASSERT_NE(chunk, std::string::npos);
+  EXPECT_EQ(text.substr(chunk + 4, 3), "\x05\x08\x01");
+}
+
 TEST_F(PngFile, IndexedReadsAsTheColoursSeen) {
   const eltek::IndexedScreen screen = some_screen();
   write_indexed_png(file(), screen);

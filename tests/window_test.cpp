@@ -94,6 +94,33 @@ TEST(ScreenView, GoesRoundTheImagesEachWithItsLut) {
   EXPECT_EQ(view.image().base, "C");
 }
 
+TEST(ScreenView, FitsTheDacOfEachImagesLut) {
+  std::vector<ShownImage> images = three_images();
+  images[1].lut.dac = {{5, 6, 8}};
+  for (auto& entry : images[1].lut.entry) entry[0] %= 32;
+  ScreenView view(images, true);
+  EXPECT_EQ(view.capture().dac, quant::DacBits{});
+  view.toggle_plane(7);
+  view.next();
+  EXPECT_EQ(view.title(), "B - LUT B.LUT, DAC 5,6,8 (2 of 3) - planes 1 2 3 4 5 6 7");
+  EXPECT_EQ(view.capture().dac, (quant::DacBits{{5, 6, 8}}));
+  const std::size_t index = images[1].indices[6 * 32 + 5] & 0x7F;
+  EXPECT_EQ(view.picture().at(5, 6), images[1].lut.seen(index));
+  view.next();
+  EXPECT_EQ(view.title(), "C - LUT C.LUT (3 of 3) - planes 1 2 3 4 5 6 7");
+  EXPECT_EQ(view.picture().at(5, 6), colour_of(images[2], 5, 6, 0x7F));
+}
+
+TEST(ScreenView, TheScreenAroundAnImageTakesNoReservedEntry) {
+  ShownImage shown = image("A", {64, 48}, 3);
+  shown.lut.entry.fill({63, 63, 63});
+  shown.lut.entry[5] = {0, 0, 0};
+  shown.lut.entry[8] = {9, 9, 9};
+  EXPECT_EQ(ScreenView({shown}, false).capture().indices[0], 5);
+  shown.reserved.set(5);
+  EXPECT_EQ(ScreenView({shown}, false).capture().indices[0], 8);
+}
+
 TEST(ScreenView, PlanesGoOffAndStayOffForTheNextImage) {
   ScreenView view(three_images(), true);
   const auto full = view.picture();

@@ -19,7 +19,8 @@ inline constexpr std::int64_t kMaxPngPixels = 100'000'000;
 void write_rgb_png(const std::filesystem::path& path, const Planes& planes);
 
 /// Writes a screen as an indexed PNG: all 256 entries in LUT order, equal ones
-/// included, as the bytes that are seen; sBIT says that 6 bits of each count.
+/// included, as the bytes that are seen; sBIT says how many bits of each count:
+/// the DAC's, 6 on the MA120.
 /// Throws as above.
 void write_indexed_png(const std::filesystem::path& path, const eltek::IndexedScreen& screen);
 

@@ -105,7 +105,8 @@ void write_indexed_png(const std::filesystem::path& path, const eltek::IndexedSc
     for (std::size_t i = 0; i < 256; ++i)
       palette[i] = {screen.palette[i].r, screen.palette[i].g, screen.palette[i].b};
     png_set_PLTE(file.png(), file.info(), palette, 256);
-    const png_color_8 significant{6, 6, 6, 0, 0};
+    const auto bits = [&](std::size_t c) { return static_cast<png_byte>(screen.dac.bits[c]); };
+    const png_color_8 significant{bits(0), bits(1), bits(2), 0, 0};
     png_set_sBIT(file.png(), file.info(), &significant);
     png_write_info(file.png(), file.info());
     for (std::size_t first = 0; first < screen.size.pixels(); first += width)

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "quant/dac_parse.h"
 #include "viewer/png_file.h"
 
 namespace sir::viewer {
@@ -36,6 +37,7 @@ eltek::IndexedScreen ScreenView::capture() const { return crop(monitor_.capture(
 
 std::string ScreenView::title() const {
   std::string title = image().base.filename().string() + " - LUT " + image().lut_name;
+  if (monitor_.dac() != quant::DacBits{}) title += ", DAC " + quant::bits_text(monitor_.dac());
   if (images_.size() > 1)
     title += " (" + std::to_string(current_ + 1) + " of " + std::to_string(images_.size()) + ")";
   if (planes_ == 0xFF) return title;
@@ -57,8 +59,9 @@ std::filesystem::path ScreenView::save_capture(const std::filesystem::path& fold
 void ScreenView::show(std::size_t number) {
   current_ = number;
   const ShownImage& shown = images_[number];
-  area_ =
-      show_image(monitor_, {shown.base.string(), shown.size, shown.indices}, shown.lut, oversize_);
+  if (monitor_.dac() != shown.lut.dac) monitor_ = eltek::Ma120(shown.lut.dac);
+  area_ = show_image(monitor_, {shown.base.string(), shown.size, shown.indices}, shown.lut,
+                     oversize_, shown.reserved);
   if (oversize_ == eltek::Oversize::refuse) area_ = {0, 0, eltek::Ma120::kSize};
   monitor_.lut_ports.write_pixel_mask(planes_);
 }

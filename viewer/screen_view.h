@@ -10,6 +10,8 @@
 
 #include "eltek/display_driver.h"
 #include "eltek/ma120.h"
+#include "quant/index_set.h"
+#include "quant/lut.h"
 
 namespace sir::viewer {
 
@@ -20,11 +22,12 @@ struct ShownImage {
   ImageSize size;
   std::vector<std::uint8_t> indices;  ///< one a pixel, rows from the top
   quant::Lut lut;
+  quant::IndexSet reserved{};  ///< entries that the screen around the image may not take
 };
 
 /// One MA120 with the images that it can show. Switching runs the display
 /// program again, with that image's own LUT; the planes that are switched off
-/// stay off.
+/// stay off. For a LUT of another DAC that one is fitted first.
 class ScreenView {
  public:
   /// Shows the first image. `image_area_only`: what is seen and saved is the
@@ -49,7 +52,8 @@ class ScreenView {
   eltek::Screen picture() const;
   eltek::IndexedScreen capture() const;
 
-  /// Image, its LUT, its number among several, the planes where some are off.
+  /// Image, its LUT, the DAC where it is not the MA120's, its number among several, the planes
+  /// where some are off.
   std::string title() const;
 
   /// Writes capture() as an indexed PNG to FOLDER/NAME-screen.png, or
