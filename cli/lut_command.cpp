@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -32,44 +33,150 @@ auto timed(double& milliseconds, Work work) {
   return work();
 }
 
-std::string as_json(const quant::CellCounts& cells, std::size_t entries, const Times& ms) {
-  return fmt::format(
-      R"({{"cells_rgb":{},"cells_hsv":{},"entries":{},"ms":{{"read":{:.3f},"count":{:.3f},)"
-      R"("choose":{:.3f},"write":{:.3f},"total":{:.3f}}}}})"
-      "\n",
-      cells.rgb, cells.hsv, entries, ms.read, ms.count, ms.choose, ms.write, ms.total());
+/// A LUT and what is told of it.
+struct Chosen {
+  quant::Lut lut;
+  std::size_t entries = 0;
+  quant::CellCounts cells;
+  Times ms;
+  std::optional<double> error;  // of `best`
+};
+
+Planes load_pixels(const std::filesystem::path& input, ImageSize size) {
+  Planes image = load_image(input, size);
+  if (image.size.pixels() == 0)
+    throw FileError(input.string(), 0, "has no pixels to choose colours from");
+  return image;
 }
 
-std::string as_text(const std::filesystem::path& output, const quant::CellCounts& cells,
-                    std::size_t entries, const Times& ms) {
+Chosen choose_by_thesis(const LutOptions& options) {
+  Chosen chosen;
+  Times& ms = chosen.ms;
+  const quant::ChooseOptions& choice = options.choice;
+  const Planes image =
+      timed(ms.read, [&] { return load_pixels(options.inputs.front(), options.size); });
+  const auto cells = timed(ms.count, [&] { return quant::count_for(image, choice); });
+  chosen.lut = timed(ms.choose, [&] { return quant::choose_from(cells, choice); });
+  chosen.entries = chosen.lut.chosen;
+
+  auto other = choice;  // the grid that was not counted yet
+  other.space = choice.space == quant::Space::rgb ? quant::Space::hsv : quant::Space::rgb;
+  chosen.cells = {cells.size(), quant::count_for(image, other).size()};
+  if (choice.space == quant::Space::hsv) std::swap(chosen.cells.rgb, chosen.cells.hsv);
+  return chosen;
+}
+
+/// The occupied cells of several images together.
+class CellUnion {
+ public:
+  void add(const Planes& image) {
+    for (const auto& cell : quant::count_cells(image, quant::RgbGrid())) rgb_.insert(cell.at);
+    for (const auto& cell : quant::count_cells(image, quant::HsvGrid())) hsv_.insert(cell.at);
+  }
+  quant::CellCounts counts() const { return {rgb_.size(), hsv_.size()}; }
+
+ private:
+  std::set<quant::GridPoint> rgb_, hsv_;
+};
+
+// How much each pixel counts, 0 to 255.
+std::vector<std::uint8_t> load_mask(const std::filesystem::path& file, const Planes& image,
+                                    const std::filesystem::path& of) {
+  Planes mask = load_image(file, image.size);
+  if (mask.size != image.size)
+    throw FileError(
+        file.string(), 0,
+        fmt::format("is a mask of {}x{}, but {} has {}x{}", mask.size.width, mask.size.height,
+                    of.string(), image.size.width, image.size.height));
+  if (mask.channel[0] != mask.channel[1] || mask.channel[0] != mask.channel[2])
+    throw FileError(file.string(), 0, "is no grey image, which a mask must be");
+  return std::move(mask.channel[0]);
+}
+
+Chosen choose_best(const LutOptions& options, const Session& session) {
+  const BestCommand& command = *options.best;
+  Chosen chosen;
+  Times& ms = chosen.ms;
+  quant::BestOptions best = command.options;
+  if (command.from) {
+    best.from = timed(ms.read, [&] { return quant::read_lut(*command.from); });
+    if (command.dac && *command.dac != best.from->dac)
+      throw FileError(command.from->string(), 0, "is of another DAC than --bits says");
+    best.dac = best.from->dac;
+  }
+  quant::WeightedColours colours;
+  CellUnion cells;
+  for (std::size_t i = 0; i < options.inputs.size(); ++i) {
+    const auto& input = options.inputs[i];
+    const Planes image = timed(ms.read, [&] { return load_pixels(input, options.size); });
+    std::vector<std::uint8_t> mask;
+    if (!command.masks.empty())
+      mask = timed(ms.read, [&] { return load_mask(command.masks[i], image, input); });
+    timed(ms.count, [&] { colours.add(image, mask); });
+    if (options.inputs.size() == 1) chosen.cells = quant::occupied_cells(image);
+    else cells.add(image);
+  }
+  if (options.inputs.size() > 1) chosen.cells = cells.counts();
+  if (colours.all().empty())
+    throw FileError(command.masks.front().string(), 0, "leaves no pixel to choose colours from");
+
+  const auto choice = timed(ms.choose, [&] { return quant::choose_best(colours, best); });
+  chosen.lut = choice.lut;
+  chosen.entries = choice.entries;
+  chosen.error = choice.error;
+  for (const int hue : choice.lost_hues)
+    note(session, hue < 36 ? fmt::format("no entry is left for the hue of {} degrees", 10 * hue)
+                           : "no entry is left for grey");
+  return chosen;
+}
+
+std::string as_json(const Chosen& chosen) {
+  const Times& ms = chosen.ms;
   return fmt::format(
-      "{}: {} {} chosen\n"
-      "colours: {} in the RGB grid, {} in the HSV grid\n"
-      "time: {:.1f} ms (read {:.1f}, count {:.1f}, choose {:.1f}, write {:.1f})\n",
-      output.string(), entries, entries == 1 ? "entry" : "entries", cells.rgb, cells.hsv,
-      ms.total(), ms.read, ms.count, ms.choose, ms.write);
+      R"({{"cells_rgb":{},"cells_hsv":{},"entries":{},{}"ms":{{"read":{:.3f},"count":{:.3f},)"
+      R"("choose":{:.3f},"write":{:.3f},"total":{:.3f}}}}})"
+      "\n",
+      chosen.cells.rgb, chosen.cells.hsv, chosen.entries,
+      chosen.error ? fmt::format(R"("error":{:.4f},)", *chosen.error) : "", ms.read, ms.count,
+      ms.choose, ms.write, ms.total());
+}
+
+std::string as_text(const std::filesystem::path& output, const Chosen& chosen,
+                    const LutOptions& options) {
+  const std::size_t entries = chosen.entries;
+  const Times& ms = chosen.ms;
+  std::string text = fmt::format("{}: {} {} chosen\n", output.string(), entries,
+                                 entries == 1 ? "entry" : "entries");
+  if (chosen.error)
+    text +=
+        options.best->options.goal == quant::Goal::perceptual
+            ? fmt::format(
+                  "error: at most {:.2f} (CIEDE2000, root of the mean square) under "
+                  "--map perceptual\n",
+                  *chosen.error)
+            : fmt::format(
+                  "error: at most {:.2f} levels (root of the mean square of a colour's distance)\n",
+                  *chosen.error);
+  return text + fmt::format(
+                    "colours: {} in the RGB grid, {} in the HSV grid\n"
+                    "time: {:.1f} ms (read {:.1f}, count {:.1f}, choose {:.1f}, write {:.1f})\n",
+                    chosen.cells.rgb, chosen.cells.hsv, ms.total(), ms.read, ms.count, ms.choose,
+                    ms.write);
 }
 
 }  // namespace
 
 int run_lut(const LutOptions& options, const Session& session) {
-  const quant::ChooseOptions& choice = options.choice;
-  const auto output = options.output.value_or(with_suffix(base_name(options.input), "LUT"));
-  Times ms;
-  const Planes image = timed(ms.read, [&] { return load_image(options.input, options.size); });
-  if (image.size.pixels() == 0)
-    throw FileError(options.input.string(), 0, "has no pixels to choose colours from");
-  refuse_input_file(output, options.input);
-
-  const auto cells = timed(ms.count, [&] { return quant::count_for(image, choice); });
-  const auto lut = timed(ms.choose, [&] { return quant::choose_from(cells, choice); });
-  timed(ms.write, [&] { quant::write_lut(output, lut); });
-
-  auto other = choice;  // the grid that was not counted yet
-  other.space = choice.space == quant::Space::rgb ? quant::Space::hsv : quant::Space::rgb;
-  quant::CellCounts counts{cells.size(), quant::count_for(image, other).size()};
-  if (choice.space == quant::Space::hsv) std::swap(counts.rgb, counts.hsv);
-  print(options.json ? as_json(counts, lut.chosen, ms) : as_text(output, counts, lut.chosen, ms));
+  const auto output =
+      options.output.value_or(with_suffix(base_name(options.inputs.front()), "LUT"));
+  for (const auto& input : options.inputs) refuse_input_file(output, input);
+  if (options.best)
+    for (const auto& mask : options.best->masks) refuse_input_file(output, mask);
+  Chosen chosen = options.best ? choose_best(options, session) : choose_by_thesis(options);
+  timed(chosen.ms.write, [&] { quant::write_lut(output, chosen.lut); });
+  print(options.json ? as_json(chosen) : as_text(output, chosen, options));
+  if (options.best && options.best->options.reserved.any())
+    note(session, "show it with the same --reserve, so that no pixel takes a reserved entry");
   detail(session, output.string() + " written");
   return kDone;
 }

@@ -16,7 +16,7 @@
 #include "cli/effects_command.h"
 #include "cli/export_command.h"
 #include "cli/hsv_command.h"
-#include "cli/lut_command.h"
+#include "cli/lut_options.h"
 #include "cli/metrics_command.h"
 #include "cli/option_values.h"
 #include "cli/planes_command.h"
@@ -129,42 +129,6 @@ void add_trace(CLI::App& app, Action& action) {
           "I J", fmt::format("the pixel does not lie within {}x{}", size.width, size.height));
     command->base = given_base(command->base);
     action = [command](const Session& session) { return run_trace(*command, session); };
-  });
-}
-
-void add_lut(CLI::App& app, Action& action) {
-  auto* sub = app.add_subcommand("lut", "Choose the 256 colours of an image and write BASE.LUT");
-  const auto options = std::make_shared<LutOptions>();
-  sub->add_option("IMAGE", options->input, "BASE (planes) or FILE.png")->required();
-  quant::ChooseOptions& choice = options->choice;
-  add_choice(sub, "--method", choice.method,
-             {{"frequency", quant::Method::frequency}, {"median", quant::Method::median}},
-             "how colours are chosen (median)");
-  add_choice(sub, "--space", choice.space, {{"rgb", quant::Space::rgb}, {"hsv", quant::Space::hsv}},
-             "grid that colours are counted in (hsv)");
-  add_choice(sub, "--split", choice.split,
-             {{"pixels", quant::SplitOrder::pixels},
-              {"breadth", quant::SplitOrder::breadth},
-              {"longest", quant::SplitOrder::longest}},
-             "median: which box is split next (pixels)");
-  add_number(sub, "--grey-s", choice.grid.grey_s, 0, 1,
-             "hsv: saturations up to this are grey (0.2)");
-  add_number(sub, "--grey-v", choice.grid.grey_v, 0, 1, "hsv: values up to this are grey (0.2)");
-  add_parsed(sub, "--grid", choice.grid, quant::parse_grid,
-             {"HxSxV", "HxSxV: 1 to 1024 hues, 2 to 1024 levels of S and V, 2^24 cells"},
-             "hsv: the grid (36x30x30)");
-  sub->add_option("--rgb-bits", choice.rgb_bits, "rgb: the grid's bits a primary (5)")
-      ->check(CLI::Range(1, quant::RgbGrid::kMaxBits))
-      ->type_name("N");
-  sub->add_option("--sample", choice.sample, "count every Nth pixel only (1)")
-      ->check(CLI::Range(1, 1'000'000'000))
-      ->type_name("N");
-  add_size(sub, options->size, "size of the planes (640x480)");
-  sub->add_option("-o", options->output, "the LUT's file (BASE.LUT)")->type_name("FILE.LUT");
-  sub->add_flag("--json", options->json, "print JSON");
-  sub->callback([&action, options] {
-    options->input = given_base(options->input);
-    action = [options](const Session& session) { return run_lut(*options, session); };
   });
 }
 

@@ -2,34 +2,16 @@
 
 #include <lcms2.h>
 
-#include <array>
-#include <cmath>
-
 #include "quant/image_pair.h"
+#include "quant/srgb.h"
 
 namespace sir::quant {
 namespace {
 
-/// XYZ of the three primaries, white having Y = 1.
-constexpr double kToXyz[3][3] = {{0.4124564, 0.3575761, 0.1804375},
-                                 {0.2126729, 0.7151522, 0.0721750},
-                                 {0.0193339, 0.1191920, 0.9503041}};
-
-double linear(double coded) {
-  return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
-}
-
-const std::array<double, 256>& linear_bytes() {
-  static const auto table = [] {
-    std::array<double, 256> bytes{};
-    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = linear(static_cast<double>(i) / 255);
-    return bytes;
-  }();
-  return table;
-}
-
 cmsCIEXYZ xyz_of_linear(double r, double g, double b) {
-  const auto row = [&](int i) { return kToXyz[i][0] * r + kToXyz[i][1] * g + kToXyz[i][2] * b; };
+  const auto row = [&](int i) {
+    return kLinearToXyz[i][0] * r + kLinearToXyz[i][1] * g + kLinearToXyz[i][2] * b;
+  };
   return {row(0), row(1), row(2)};
 }
 
@@ -53,7 +35,7 @@ constexpr int kLabBits = 14, kPairBits = 16;
 }  // namespace
 
 Lab lab_of(Rgb colour) {
-  return lab_of_linear(linear(colour.r), linear(colour.g), linear(colour.b));
+  return lab_of_linear(linear_light(colour.r), linear_light(colour.g), linear_light(colour.b));
 }
 
 Lab lab_of(Rgb8 colour) {
