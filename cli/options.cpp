@@ -179,6 +179,12 @@ void add_show(CLI::App& app, Action& action) {
       ->type_name("OUT.png");
   sub->add_flag("--crop", options->crop, "the image's area alone; also admits larger images");
   add_size(sub, options->size, "size of the planes (640x480)");
+  add_choice(sub, "--dither", options->map.dither,
+             {{"none", quant::Dither::none},
+              {"floyd", quant::Dither::floyd},
+              {"blue-noise", quant::Dither::blue_noise}},
+             "entries side by side for the colours between them: by error diffusion, or by place, "
+             "for animations (none)");
   // The only ones so far; named so that a script may say what it relies on.
   const auto named = std::make_shared<std::string>();
   sub->add_option("--map", *named, "how colours are compared (rgb)")->check(CLI::IsMember({"rgb"}));

@@ -6,10 +6,10 @@
 
 #include "cli/image_input.h"
 #include "cli/interrupt.h"
+#include "cli/map_image.h"
 #include "cli/output_path.h"
 #include "eltek/display_driver.h"
 #include "quant/choose.h"
-#include "quant/nearest.h"
 #include "tracer/atomic_file.h"
 #include "tracer/error.h"
 #include "tracer/scene_path.h"
@@ -51,7 +51,7 @@ viewer::ShownImage prepare(const std::filesystem::path& input, const ShowOptions
     note(session, input.string() + ": there is no " + with_suffix(image.base, "LUT").string() +
                       "; shown with a LUT chosen by median in hsv");
   }
-  image.indices = quant::map_to_lut(planes, image.lut);
+  image.indices = map_image(planes, image.lut, options.map);
   return image;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/map_image.h"
 #include "cli/session.h"
 #include "tracer/planes.h"
 
@@ -16,6 +17,7 @@ struct ShowOptions {
   std::optional<std::filesystem::path> png;   ///< write this file, open no window; one input
   ImageSize size;                             ///< of planes
   bool crop = false;                          ///< the image's area alone
+  MapOptions map;                             ///< how pixels become LUT indices
 };
 
 /// Shows the images in a window, or writes the screen with the one image as

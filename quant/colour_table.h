@@ -4,33 +4,39 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "tracer/planes.h"
 
 namespace sir::quant {
 
-/// A value for each of the 2^24 colours, kept in cubes of 16 levels a side that are made, full of
-/// the initial value, when their first colour comes: images hold their colours close together,
-/// and so they lie close together here.
+/// A value for each of the 2^24 colours, in cubes of 16 levels a side that are made, full of the
+/// initial value, when their first colour comes. Within a cube, cubes of 4 levels lie together:
+/// who asks for a colour asks for those around it next, and finds them in the cache.
 template <typename Value>
 class ColourTable {
  public:
-  explicit ColourTable(const Value& initial) : initial_(initial), cubes_(16 * 16 * 16) {}
+  explicit ColourTable(const Value& initial) : initial_(initial), cubes_(kCubes) {}
 
   Value& operator[](Rgb8 colour) {
-    const auto joined = [](int r, int g, int b) {
-      return static_cast<std::size_t>(r << 8 | g << 4 | b);
-    };
-    auto& cube = cubes_[joined(colour.r >> 4, colour.g >> 4, colour.b >> 4)];
+    auto& cube = cubes_[digit(colour, 6) << 6 | digit(colour, 4)];
     if (!cube) {
       cube = std::make_unique<Cube>();
       cube->fill(initial_);
     }
-    return (*cube)[joined(colour.r & 15, colour.g & 15, colour.b & 15)];
+    return (*cube)[digit(colour, 2) << 6 | digit(colour, 0)];
   }
 
  private:
-  using Cube = std::array<Value, 16 * 16 * 16>;
+  static constexpr std::size_t kCubes = 4096, kCubeColours = 4096;
+  using Cube = std::array<Value, kCubeColours>;
+
+  /// Two bits of each primary, from bit `low` on.
+  static std::size_t digit(Rgb8 colour, int low) {
+    return static_cast<std::size_t>((colour.r >> low & 3) << 4 | (colour.g >> low & 3) << 2 |
+                                    (colour.b >> low & 3));
+  }
+
   Value initial_;
   std::vector<std::unique_ptr<Cube>> cubes_;
 };

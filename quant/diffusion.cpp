@@ -30,11 +30,8 @@ std::vector<std::uint8_t> diffused(const Planes& image, std::span<const std::uin
         continue;
       }
       const std::size_t at = column + 1;  // of the errors
-      const Light wanted = KnownEntries::wanted(own, here[at]);
-      index = entries.nearest(entries.holds(own) ? own : colour_of_light(wanted));
-      Light error;
-      for (std::size_t k = 0; k < 3; ++k)
-        error[k] = kErrorShare * (wanted[k] - entries.light(index)[k]);
+      const auto [taken, error] = entries.take(entries.aim(own), here[at]);
+      index = taken;
       const std::size_t ahead = leftwards ? at - 1 : at + 1, behind = leftwards ? at + 1 : at - 1;
       add(here[ahead], error, 7.0 / 16);
       add(below[behind], error, 3.0 / 16);

@@ -9,12 +9,12 @@ namespace sir::quant {
 
 Mixture mixture_of(Rgb8 colour, KnownEntries& entries) {
   Mixture mixture;
+  const KnownEntries::Aim aim = entries.aim(colour);
   Light error{};
   for (std::uint8_t& index : mixture) {
-    const Light wanted = KnownEntries::wanted(colour, error);
-    index = entries.nearest(colour_of_light(wanted));
-    for (std::size_t k = 0; k < 3; ++k)
-      error[k] = kErrorShare * (wanted[k] - entries.light(index)[k]);
+    const auto taken = entries.take(aim, error);
+    index = taken.index;
+    error = taken.error;
   }
   std::sort(mixture.begin(), mixture.end(),
             [&](std::uint8_t a, std::uint8_t b) { return entries.place(a) < entries.place(b); });

@@ -17,9 +17,9 @@ namespace sir::quant {
 inline constexpr std::size_t kMixed = 16;
 using Mixture = std::array<std::uint8_t, kMixed>;
 
-/// The mixture for a colour (Knoll's pattern dithering, US patent 6606166 of 1999, expired):
-/// entry after entry, each the nearest to the colour and kErrorShare of what those before it
-/// left (KnownEntries::wanted). An entry's own colour gives that entry alone.
+/// The mixture for a colour (after Knoll's pattern dithering, US patent 6606166 of 1999, expired):
+/// entry after entry, each makes good the error that the one before it left
+/// (KnownEntries::take). An entry's own colour gives that entry alone.
 Mixture mixture_of(Rgb8 colour, KnownEntries& entries);
 
 /// The image as LUT indices: the rank of the pixel's place in the mask of blue noise

@@ -1,0 +1,22 @@
+// From an image to the LUT indices that are shown (thesis 3.5), as the options say.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "quant/dither.h"
+#include "quant/lut.h"
+#include "tracer/planes.h"
+
+namespace sir::cli {
+
+struct MapOptions {
+  quant::Dither dither = quant::Dither::none;
+};
+
+/// LUT indices, one a pixel, rows from the top. By default each is the nearest entry's
+/// (quant::map_to_lut).
+std::vector<std::uint8_t> map_image(const Planes& planes, const quant::Lut& lut,
+                                    const MapOptions& options);
+
+}  // namespace sir::cli
