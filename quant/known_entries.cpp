@@ -50,7 +50,8 @@ KnownEntries::Taken KnownEntries::take(const Aim& aim, const Light& error) {
     wanted[k] = std::clamp(aim.light[k] + error[k], aim.least[k], aim.most[k]);
   Taken taken{aim.met ? aim.closest : nearest(curve_.colour(wanted)), {}};
   const Light& shown = light_[taken.index];
-  for (std::size_t k = 0; k < 3; ++k) taken.error[k] = kErrorShare * (wanted[k] - shown[k]);
+  for (std::size_t k = 0; k < 3; ++k)
+    taken.error[k] = kErrorShare * (aim.light[k] + error[k] - shown[k]);
   return taken;
 }
 

@@ -51,9 +51,10 @@ class KnownEntries {
   Aim aim(Rgb8 own);
 
   /// What a pixel takes that is to make good an error as well, and the error that is left then.
-  /// The light looked for is the sum of its own and the error, held within the aim's bounds;
-  /// kErrorShare of what the entry lacks of that is left. A colour that an entry is seen as takes
-  /// this entry whatever the error.
+  /// The light looked for is the sum of its own and the error, held within the aim's bounds. What
+  /// the entry lacks of the sum itself is left, times kErrorShare: cutting errors at the bounds,
+  /// too, would make mixtures of few entries too bright. A colour that an entry is seen as
+  /// takes this entry whatever the error.
   struct Taken {
     std::uint8_t index;
     Light error;
