@@ -18,13 +18,20 @@ class ColourTable {
  public:
   explicit ColourTable(const Value& initial) : initial_(initial), cubes_(kCubes) {}
 
+  /// Where a colour lies among all; to go through many colours in this order is fastest.
+  static std::size_t place(Rgb8 colour) {
+    return digit(colour, 6) << 18 | digit(colour, 4) << 12 | digit(colour, 2) << 6 |
+           digit(colour, 0);
+  }
+
   Value& operator[](Rgb8 colour) {
-    auto& cube = cubes_[digit(colour, 6) << 6 | digit(colour, 4)];
+    const std::size_t at = place(colour);
+    auto& cube = cubes_[at / kCubeColours];
     if (!cube) {
       cube = std::make_unique<Cube>();
       cube->fill(initial_);
     }
-    return (*cube)[digit(colour, 2) << 6 | digit(colour, 0)];
+    return (*cube)[at % kCubeColours];
   }
 
  private:

@@ -23,25 +23,33 @@ Mixture mixture_of(Rgb8 colour, KnownEntries& entries) {
 
 std::vector<std::uint8_t> mixed_by_place(const Planes& image, std::span<const std::uint8_t> flat,
                                          KnownEntries& entries) {
-  constexpr std::uint32_t kUnknown = 0xFFFFFFFF;
+  using Numbers = ColourTable<std::uint32_t>;  // of the colours' mixtures
+  constexpr std::uint32_t kNone = 0xFFFFFFFF, kToCome = 0xFFFFFFFE;
+  Numbers number(kNone);
+  std::vector<Rgb8> colours;
+  for (std::size_t i = 0; i < image.size.pixels(); ++i) {
+    if (flat[i]) continue;
+    std::uint32_t& known = number[image.at(i)];
+    if (known == kNone) colours.push_back(image.at(i));
+    known = kToCome;
+  }
+  std::sort(colours.begin(), colours.end(),
+            [](Rgb8 a, Rgb8 b) { return Numbers::place(a) < Numbers::place(b); });
+  std::vector<Mixture> mixtures;
+  mixtures.reserve(colours.size());
+  for (const Rgb8 colour : colours) {
+    number[colour] = static_cast<std::uint32_t>(mixtures.size());
+    mixtures.push_back(mixture_of(colour, entries));
+  }
+
   const BlueNoise& mask = BlueNoise::mask();
   const auto width = static_cast<std::size_t>(image.size.width);
   std::vector<std::uint8_t> indices(image.size.pixels());
-  std::vector<Mixture> mixtures;
-  ColourTable<std::uint32_t> place(kUnknown);  // of a colour's mixture among them
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const Rgb8 colour = image.at(i);
-    if (flat[i]) {
-      indices[i] = entries.nearest(colour);
-      continue;
-    }
-    std::uint32_t& known = place[colour];
-    if (known == kUnknown) {
-      known = static_cast<std::uint32_t>(mixtures.size());
-      mixtures.push_back(mixture_of(colour, entries));
-    }
     const std::size_t rank = mask.rank(i % width, i / width);
-    indices[i] = mixtures[known][rank * kMixed / BlueNoise::kRanks];
+    indices[i] = flat[i] ? entries.nearest(colour)
+                         : mixtures[number[colour]][rank * kMixed / BlueNoise::kRanks];
   }
   return indices;
 }
