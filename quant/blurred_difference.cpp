@@ -10,21 +10,10 @@
 
 #include "quant/ciede2000.h"
 #include "quant/image_pair.h"
+#include "quant/linear_light.h"
 
 namespace sir::quant {
 namespace {
-
-// The curve of sRGB (IEC 61966-2-1), and back. The bend lies where lab_of() has it, so that a
-// colour comes back as it was.
-constexpr double kBend = 0.04045;
-
-double light_of_coded(double coded) {
-  return coded <= kBend ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
-}
-
-double coded_of_light(double light) {
-  return light <= kBend / 12.92 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-}
 
 using Row = std::vector<double>;
 

@@ -3,6 +3,7 @@
 #include <lcms2.h>
 
 #include "quant/image_pair.h"
+#include "quant/linear_light.h"
 #include "quant/srgb.h"
 
 namespace sir::quant {
@@ -35,12 +36,13 @@ constexpr int kLabBits = 14, kPairBits = 16;
 }  // namespace
 
 Lab lab_of(Rgb colour) {
-  return lab_of_linear(linear_light(colour.r), linear_light(colour.g), linear_light(colour.b));
+  return lab_of_linear(light_of_coded(colour.r), light_of_coded(colour.g),
+                       light_of_coded(colour.b));
 }
 
 Lab lab_of(Rgb8 colour) {
-  const auto& bytes = linear_bytes();
-  return lab_of_linear(bytes[colour.r], bytes[colour.g], bytes[colour.b]);
+  const Light light = LinearLight::table().of(colour);
+  return lab_of_linear(light[0], light[1], light[2]);
 }
 
 double ciede2000(const Lab& a, const Lab& b) {

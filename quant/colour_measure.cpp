@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "quant/image_pair.h"
+#include "quant/linear_light.h"
 #include "quant/srgb.h"
 
 namespace sir::quant {
@@ -34,8 +35,9 @@ const Shares& shares() {
       for (std::size_t byte = 0; byte < 256; ++byte)
         for (int row = 0; row < 3; ++row) {
           const auto& xyz = kLinearToXyz[row];
-          all[primary][byte][row] =
-              static_cast<float>(xyz[primary] * linear_bytes()[byte] / (xyz[0] + xyz[1] + xyz[2]));
+          all[primary][byte][row] = static_cast<float>(
+              xyz[primary] * LinearLight::table().of(static_cast<std::uint8_t>(byte)) /
+              (xyz[0] + xyz[1] + xyz[2]));
         }
     return all;
   }();

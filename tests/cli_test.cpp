@@ -198,6 +198,22 @@ TEST_F(CliTest, LutIsWrittenBesideTheImage) {
   EXPECT_NE(folder.read("f.LUT"), text);
 }
 
+TEST_F(CliTest, ShowDithersWhereAsked) {
+  EXPECT_EQ(sir({"render", "s", "-q"}).exit_code, 0);
+  EXPECT_EQ(sir({"lut", "s", "-q"}).exit_code, 0);
+  const auto shown = [&](const std::string& dither) {
+    EXPECT_EQ(sir({"show", "s", "--crop", "--png", "d.png", "--dither", dither}).exit_code, 0);
+    return folder.read("d.png");
+  };
+  EXPECT_EQ(sir({"show", "s", "--crop", "--png", "plain.png"}).exit_code, 0);
+  const std::string plain = folder.read("plain.png"), floyd = shown("floyd");
+  EXPECT_EQ(shown("none"), plain);
+  EXPECT_NE(floyd, plain);
+  EXPECT_NE(shown("blue-noise"), plain);
+  EXPECT_NE(shown("blue-noise"), floyd);
+  EXPECT_EQ(sir({"show", "s", "--png", "d.png", "--dither", "bayer"}).exit_code, 2);
+}
+
 TEST_F(CliTest, ShowWritesTheScreenAsAnIndexedPng) {
   EXPECT_EQ(sir({"render", "s", "-q"}).exit_code, 0);
   const Ended ended = sir({"show", "s", "--png", "screen.png"});
