@@ -31,7 +31,7 @@ struct Effort {
 };
 constexpr std::array<Effort, 5> kEfforts{{{8192, 4, 1e-2, 0, 1, 0, 0},
                                           {16384, 6, 2e-3, 4, 1, 6, 4},
-                                          {40000, 10, 1e-3, 16, 0.7, 16, 8},
+                                          {65536, 10, 1e-3, 16, 0.7, 16, 8},
                                           {100000, 20, 1e-4, 40, 0.5, 40, 12},
                                           {std::size_t{1} << 24, 60, 1e-6, 200, 0.4, 200, 26}}};
 
@@ -43,7 +43,10 @@ class Choice {
         effort_(kEfforts[static_cast<std::size_t>(options.effort - kMinEffort)]),
         places_(places_of(options)),
         measure_(options.goal),
-        points_(colours.points(measure_, effort_.points)) {}
+        points_(colours.points(measure_, effort_.points)) {
+    for (const ColourPoint& point : points_.all) weights_.push_back(point.weight);
+    if (options.goal == Goal::perceptual) raise_small_hues(points_.all);
+  }
 
   BestChoice run() {
     BestChoice choice;
@@ -199,8 +202,9 @@ class Choice {
       entries.push_back(measure_.point_of(seen(code, options_.dac)));
     const SweepSearch search(entries);
     double sum = points_.scatter, weight = 0;
-    for (const ColourPoint& point : points_.all) {
-      const double w = point.weight;
+    for (std::size_t i = 0; i < points_.all.size(); ++i) {
+      const ColourPoint& point = points_.all[i];
+      const double w = weights_[i];
       sum += w * static_cast<double>(search.nearest(point.at, point.form).difference);
       weight += w;
     }
@@ -212,7 +216,8 @@ class Choice {
   const Effort& effort_;
   Places places_;
   ColourMeasure measure_;
-  ColourPoints points_;
+  ColourPoints points_;         // those of small hues with more weight
+  std::vector<float> weights_;  // without
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -47,6 +48,27 @@ BestCodes best_codes(const std::array<FormSum, kPlanes>& sums, ColourMeasure& me
 }  // namespace
 
 int hue_plane(Rgb8 colour) { return grid().plane(grid().point(grid().cell(colour))); }
+
+void raise_small_hues(std::span<ColourPoint> points) {
+  constexpr double kSmall = 0.02, kMost = 2;
+  std::array<double, kPlanes> weights{};
+  double all = 0;
+  std::vector<std::size_t> planes;
+  for (const ColourPoint& point : points) {
+    const auto byte = [](float mean) { return static_cast<std::uint8_t>(mean + 0.5f); };
+    const glm::vec3& mean = point.bytes;
+    planes.push_back(
+        static_cast<std::size_t>(hue_plane({byte(mean.x), byte(mean.y), byte(mean.z)})));
+    weights[planes.back()] += static_cast<double>(point.weight);
+    all += static_cast<double>(point.weight);
+  }
+  std::array<float, kPlanes> factors{};
+  for (std::size_t plane = 0; plane < kPlanes; ++plane)
+    if (weights[plane] > 0)
+      factors[plane] = static_cast<float>(
+          std::clamp(std::sqrt(std::sqrt(kSmall * all / weights[plane])), 1.0, kMost));
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].weight *= factors[planes[i]];
+}
 
 std::vector<int> guard_hues(Palette& palette, std::span<const WeightedColour> colours,
                             ColourMeasure& measure, const DacBits& dac) {

@@ -6,9 +6,15 @@
 #include <numeric>
 #include <utility>
 
+#include "quant/clones.h"
 #include "quant/lattice_place.h"
 
 namespace sir::quant {
+namespace {
+
+constexpr float kFar = 1e9f;  // its square is a float yet
+
+}  // namespace
 
 Palette::Palette(std::span<const ColourPoint> points, ColourMeasure& measure, const DacBits& dac,
                  const Groups& groups)
@@ -49,40 +55,71 @@ void Palette::set(std::size_t entry, const DacCode& code, EntryRule rule) {
 }
 
 // By the form of the group and from its centre, which is where its points are.
-void Palette::list(std::size_t group) {
-  const FormSum& sum = sums_[group];
-  const glm::vec3 centre = sum.points > 0 ? glm::vec3(sum.best()) : entries_[group];
-  const Form form = sum.points > 0 ? sum.mean_form() : Form{};
-  std::array<std::uint64_t, 256> ranked;  // positive floats order as their bits do
-  for (std::size_t i = 0; i < size(); ++i)
-    ranked[i] = std::uint64_t{std::bit_cast<std::uint32_t>(form(centre - entries_[i]))} << 16 | i;
-  ranked[group] = group;  // first, however far: a point may stay
-  const std::size_t count = std::min(kAround, size());
-  const auto from = ranked.begin();
-  if (count < size())
-    std::nth_element(from, from + kAround, from + static_cast<std::ptrdiff_t>(size()));
-  // By index, so that the order depends on nothing but the set, and ties on nothing but indices.
-  for (std::size_t i = 0; i < count; ++i) ranked[i] &= 0xFFFF;
-  std::sort(from, from + static_cast<std::ptrdiff_t>(count));
+SIR_CLONES void Palette::list(std::size_t group) {
   Around& around = around_[group];
-  for (std::size_t i = 0; i < kAround; ++i) {
-    const auto index = static_cast<std::uint16_t>(ranked[std::min(i, count - 1)]);
-    around.index[i] = index;
-    around.x[i] = entries_[index].x;
-    around.y[i] = entries_[index].y;
-    around.z[i] = entries_[index].z;
+  const FormSum& sum = sums_[group];
+  around.centre = sum.points > 0 ? glm::vec3(sum.best()) : entries_[group];
+  around.form = sum.points > 0 ? sum.mean_form() : Form{};
+  std::array<std::uint64_t, 256> ranked;
+  for (std::size_t i = 0; i < size(); ++i)
+    ranked[i] =
+        std::uint64_t{std::bit_cast<std::uint32_t>(around.form(around.centre - entries_[i]))}
+            << 16 |
+        i;
+  const std::uint64_t own = std::exchange(ranked[group], group);  // first, however far
+  const std::size_t count = std::min(kAround, size());
+  const auto from = ranked.begin(), last = from + static_cast<std::ptrdiff_t>(count) - 1;
+  std::nth_element(from, last, from + static_cast<std::ptrdiff_t>(size()));
+  const auto far = static_cast<std::uint32_t>(std::max(*last, own) >> 16);
+  around.reach =
+      count < size() ? std::bit_cast<float>(far) : std::numeric_limits<float>::infinity();
+  // By index, so that ties depend on nothing else.
+  for (auto one = from; one <= last; ++one) *one &= 0xFFFF;
+  std::sort(from, last + 1);
+  for (std::size_t k = 0; k < kAround; ++k) {
+    const auto index = static_cast<std::uint16_t>(k < count ? ranked[k] : group);
+    if (k < count && index == group) around.own = k;
+    around.index[k] = index;
+    around.x[k] = k < count ? entries_[index].x : kFar;
+    around.y[k] = k < count ? entries_[index].y : kFar;
+    around.z[k] = k < count ? entries_[index].z : kFar;
   }
 }
 
-void Palette::assign() {
-  std::vector<std::uint8_t> look(size());
-  for (std::size_t group = 0; group < size(); ++group) {
-    const auto before = around_[group].index;
-    list(group);
-    const auto& now = around_[group].index;
-    look[group] = stirred_[group] || before != now ||
-                  std::any_of(now.begin(), now.end(), [&](auto entry) { return moved_[entry]; });
+// Makes the list anew where another entry may belong to it. True where the points of the group
+// must look for their entry again.
+bool Palette::refresh(std::size_t group, std::span<const std::uint16_t> moved) {
+  Around& around = around_[group];
+  bool again = stirred_[group] || around.reach < 0;
+  bool look = again;
+  for (const std::uint16_t entry : moved) {
+    if (again) break;
+    again = around.form(around.centre - entries_[entry]) < around.reach;
+    look = look || again;
   }
+  for (const std::uint16_t entry : around.index) look = look || moved_[entry];
+  if (look) list(group);
+  return look;
+}
+
+Palette::Differences Palette::differences(const ColourPoint& point, const Around& around) {
+  Differences differences;
+  const Form form = point.form;
+  for (std::size_t k = 0; k < kAround; ++k) {
+    const float x = point.at.x - around.x[k], y = point.at.y - around.y[k],
+                z = point.at.z - around.z[k];
+    differences[k] = std::bit_cast<std::int32_t>(
+        form.xx * x * x + (form.yy * y * y + form.zz * z * z + form.yz * y * z));
+  }
+  return differences;
+}
+
+SIR_CLONES void Palette::assign() {
+  std::vector<std::uint16_t> moved;
+  for (std::size_t i = 0; i < size(); ++i)
+    if (moved_[i]) moved.push_back(static_cast<std::uint16_t>(i));
+  std::vector<std::uint8_t> look(size());
+  for (std::size_t group = 0; group < size(); ++group) look[group] = refresh(group, moved);
   std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
   std::fill(stirred_.begin(), stirred_.end(), std::uint8_t{0});
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -90,14 +127,7 @@ void Palette::assign() {
     if (!look[group]) continue;
     const Around& around = around_[group];
     const ColourPoint& point = points_[i];
-    const Form form = point.form;
-    std::array<std::int32_t, kAround> difference;  // bits of a positive float: vector instructions
-    for (std::size_t k = 0; k < kAround; ++k) {
-      const float x = point.at.x - around.x[k], y = point.at.y - around.y[k],
-                  z = point.at.z - around.z[k];
-      difference[k] = std::bit_cast<std::int32_t>(
-          form.xx * x * x + (form.yy * y * y + form.zz * z * z + form.yz * y * z));
-    }
+    const Differences difference = differences(point, around);
     std::int32_t least = difference[0];
     for (std::size_t k = 1; k < kAround; ++k) least = std::min(least, difference[k]);
     std::size_t found = 0;
@@ -156,15 +186,14 @@ Palette::Order Palette::order() const {
 
 float Palette::second(const ColourPoint& point, std::size_t entry) const {
   const Around& around = around_[entry];
-  float least = std::numeric_limits<float>::infinity();
-  for (std::size_t k = 0; k < kAround; ++k)
-    if (around.index[k] != entry)
-      least =
-          std::min(least, point.form(point.at - glm::vec3(around.x[k], around.y[k], around.z[k])));
-  return least;
+  Differences difference = differences(point, around);
+  difference[around.own] = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());
+  std::int32_t least = difference[0];
+  for (std::size_t k = 1; k < kAround; ++k) least = std::min(least, difference[k]);
+  return std::bit_cast<float>(least);
 }
 
-std::vector<double> Palette::missed() const {
+SIR_CLONES std::vector<double> Palette::missed() const {
   std::vector<double> missed(size());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const std::size_t entry = nearest_[i];

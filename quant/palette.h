@@ -75,11 +75,18 @@ class Palette {
  private:
   static constexpr std::size_t kAround = 24;
 
-  /// The entries around a group, the group's own included.
+  /// The entries around a group, the group's own included, by index. Where there are fewer, the
+  /// own one once more, infinitely far.
   struct Around {
     std::array<float, kAround> x, y, z;
     std::array<std::uint16_t, kAround> index;
+    std::size_t own;  ///< the place of the group's own entry here
+    glm::vec3 centre{};
+    Form form;
+    float reach = -1;  ///< the greatest difference of these from the centre; below 0: not made yet
   };
+  using Differences = std::array<std::int32_t, kAround>;  // bits of floats: they order alike
+  static Differences differences(const ColourPoint& point, const Around& around);
 
   /// The points in the order of their entries.
   struct Order {
@@ -94,6 +101,7 @@ class Palette {
   void move(std::size_t entry, const DacCode& to);
   void place(std::size_t entry);
   void list(std::size_t group);
+  bool refresh(std::size_t group, std::span<const std::uint16_t> moved);
   float second(const ColourPoint& point, std::size_t entry) const;
 
   std::span<const ColourPoint> points_;

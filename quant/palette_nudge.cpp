@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "quant/clones.h"
 #include "quant/lattice_place.h"
 #include "quant/palette.h"
 
@@ -63,7 +64,7 @@ struct Move {
 
 }  // namespace
 
-std::size_t Palette::nudge(std::size_t tries) {
+SIR_CLONES std::size_t Palette::nudge(std::size_t tries) {
   constexpr std::size_t kTouched = 8;  // neighbours whose points are asked
   Order groups = order();
   Lanes lanes;
