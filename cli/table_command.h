@@ -19,7 +19,8 @@ struct TableCommand {
 /// For each of the five images and each of the two median cuts: the number of
 /// colours (occupied cells) and the time of what the thesis timed (reading the
 /// planes, counting, choosing, writing the LUT), with the thesis's figures, the
-/// quality of the LUT, and the clock of 1989 fitted to the thesis's times.
+/// quality of the LUT, and the clock of 1989 fitted to the thesis's times; beside
+/// them, apart, the method `best` (quant/best.h) with the eye's mapping.
 /// Without `planes` the scenes are rendered first, 640x480, one ray a pixel;
 /// without `images` they are looked for in ./images and beside the program.
 int run_table(const TableCommand& command, const Session& session);

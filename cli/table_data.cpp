@@ -6,16 +6,17 @@
 
 #include <fmt/format.h>
 
+#include "cli/cost/lut_work.h"
 #include "quant/shown_through.h"
 
 namespace sir::cli {
 namespace {
 
 // What the thesis timed, from the planes' files to the LUT's.
-double run_once(const std::filesystem::path& planes, const quant::ChooseOptions& choice,
+double run_once(const std::filesystem::path& planes, const LutChoice& choice,
                 const std::filesystem::path& lut_file) {
   const auto start = std::chrono::steady_clock::now();
-  const quant::Lut lut = quant::choose_lut(read_planes(planes, ImageSize{}), choice);
+  const quant::Lut lut = chosen_by(choice, read_planes(planes, ImageSize{})).lut;
   // Not by write_lut(): waiting for the disk to be sure of a file that nobody
   // keeps would drown everything else.
   std::ofstream(lut_file) << quant::lut_text(lut) << std::flush;
@@ -29,18 +30,20 @@ double median(std::vector<double> values) {
   return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-quant::ChooseOptions median_cut_in(quant::Space space) {
+LutChoice median_cut_in(quant::Space space) {
   quant::ChooseOptions choice;
   choice.space = space;
   return choice;
 }
 
-TableCell judge(const Planes& image, quant::Space space, std::size_t colours, double ms) {
+TableCell judge(const Planes& image, const LutChoice& choice, Search search, double ms) {
+  const ChosenLut chosen = chosen_by(choice, image);
   TableCell cell;
-  cell.colours = colours;
+  cell.colours = chosen.colours;
   cell.ms = ms;
-  cell.lut = quant::choose_lut(image, median_cut_in(space));
-  cell.shown = quant::shown_through(image, cell.lut);
+  cell.lut = chosen.lut;
+  cell.indices = mapped_by({search, quant::Dither::none}, image, cell.lut);
+  cell.shown = quant::as_seen(image.size, cell.indices, cell.lut);
   cell.metrics = quant::measure(image, cell.shown);
   cell.hues = quant::hue_loss(image, cell.shown);
   return cell;
@@ -50,15 +53,20 @@ TableCell judge(const Planes& image, quant::Space space, std::size_t colours, do
 
 TableRow measure_row(const ThesisRow& thesis, const std::filesystem::path& planes,
                      const std::filesystem::path& scratch, int repeats) {
-  TableRow row{thesis, read_planes(planes, ImageSize{}), {}, {}};
-  std::vector<double> rgb, hsv;
+  TableRow row{thesis, read_planes(planes, ImageSize{}), {}, {}, {}};
+  const LutChoice in_rgb = median_cut_in(quant::Space::rgb);
+  const LutChoice in_hsv = median_cut_in(quant::Space::hsv);
+  const LutChoice by_best = quant::BestOptions{};
+  std::vector<double> rgb, hsv, best;
   for (int i = 0; i < repeats; ++i) {  // in turn, so that a slow spell hits both
-    rgb.push_back(run_once(planes, median_cut_in(quant::Space::rgb), scratch / "rgb.LUT"));
-    hsv.push_back(run_once(planes, median_cut_in(quant::Space::hsv), scratch / "hsv.LUT"));
+    rgb.push_back(run_once(planes, in_rgb, scratch / "rgb.LUT"));
+    hsv.push_back(run_once(planes, in_hsv, scratch / "hsv.LUT"));
   }
-  const auto cells = quant::occupied_cells(row.image);
-  row.rgb = judge(row.image, quant::Space::rgb, cells.rgb, median(rgb));
-  row.hsv = judge(row.image, quant::Space::hsv, cells.hsv, median(hsv));
+  // Not in their turn: it is long, and would leave them cold caches.
+  for (int i = 0; i < repeats; ++i) best.push_back(run_once(planes, by_best, scratch / "best.LUT"));
+  row.rgb = judge(row.image, in_rgb, Search::exact, median(rgb));
+  row.hsv = judge(row.image, in_hsv, Search::exact, median(hsv));
+  row.best = judge(row.image, by_best, Search::perceptual, median(best));
   return row;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -27,12 +28,13 @@ inline constexpr std::array<ThesisRow, 5> kThesisTable{
      {"piramide", "PIRÂMIDE", 7619, 164, 3950, 86},
      {"lcg", "LCG", 1398, 128, 865, 84}}};
 
-/// One image by the median cut in one space.
+/// One image by one method.
 struct TableCell {
-  std::size_t colours = 0;  ///< occupied cells
+  std::size_t colours = 0;  ///< occupied cells; of `best` the image's different colours
   double ms = 0;            ///< median time of reading, counting, choosing, writing
   quant::Lut lut;
-  Planes shown;  ///< through the LUT
+  std::vector<std::uint8_t> indices;  ///< of the LUT, one a pixel
+  Planes shown;                       ///< those as the monitor shows them
   quant::ImageMetrics metrics;
   quant::HueLoss hues;
 };
@@ -40,17 +42,27 @@ struct TableCell {
 struct TableRow {
   ThesisRow thesis;
   Planes image;
-  TableCell rgb, hsv;
+  TableCell rgb, hsv;  ///< the thesis's: by the median cut, each pixel the nearest by the bytes
+  TableCell best;      ///< beyond the thesis: by `best`, each pixel the nearest by the eye
 };
+
+/// A method and its name, of a person's reading.
+struct TableMethod {
+  const char* name;
+  TableCell TableRow::*cell;
+};
+
+inline constexpr std::array<TableMethod, 3> kTableMethods{
+    {{"RGB", &TableRow::rgb}, {"HSV", &TableRow::hsv}, {"best", &TableRow::best}}};
 
 struct TableData {
   std::vector<TableRow> rows;
   std::vector<ClockReading> clock;  ///< the work of 1989, by each reading of the thesis
 };
 
-/// Times and judges the median cuts of an image whose planes are in files. Runs
-/// in the two spaces alternate, `repeats` of each. `scratch`: a folder for LUTs
-/// that nobody keeps. Throws FileError.
+/// Times and judges the median cuts and `best` of an image whose planes are in files. Runs
+/// in the two spaces alternate, those of `best` follow, `repeats` of each. `scratch`: a folder for
+/// LUTs that nobody keeps. Throws FileError.
 TableRow measure_row(const ThesisRow& thesis, const std::filesystem::path& planes,
                      const std::filesystem::path& scratch, int repeats);
 

@@ -117,6 +117,9 @@ TEST_F(CostCommand, EveryKnobHasItsRows) {
   for (const json& row : image["rows"]) ++rows[row.value("knob", "default")];
   for (const char* knob : {"method", "grid", "sample", "nearest", "combined"})
     EXPECT_GE(rows[knob], 1) << knob;
+  EXPECT_EQ(rows["effort"], 10);  // five for each goal
+  EXPECT_EQ(rows["map"], 2);
+  EXPECT_EQ(rows["dither"], 4);
   // The default is what `sir render` renders, so its picture differs from itself nowhere.
   EXPECT_EQ(image["tracer"]["rows"][0]["changed"], 0);
   EXPECT_EQ(image["tracer"]["rows"][0]["ratio"], 1);
@@ -198,8 +201,9 @@ TEST_F(CostCommand, OnlyTheKnobsAskedFor) {
   const Ended unknown = cost({"--only", "depth,width"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_NE(unknown.err.find("\"depth,width\""), std::string::npos);
-  for (const char* knob : {"precision", "formulas", "depth", "cutoff", "antialias", "preview",
-                           "grid", "sample", "method", "nearest", "combined"})
+  for (const char* knob :
+       {"precision", "formulas", "depth", "cutoff", "antialias", "preview", "grid", "sample",
+        "method", "nearest", "combined", "effort", "map", "dither"})
     EXPECT_NE(unknown.err.find(knob), std::string::npos) << knob;
 }
 

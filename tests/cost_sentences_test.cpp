@@ -183,6 +183,10 @@ TEST(KnobNames, AreReadAsAList) {
   EXPECT_TRUE(wants_lut(knobs));
   EXPECT_FALSE(wants_lut({Knob::preview}));
   EXPECT_FALSE(wants_tracer({Knob::method}));
+  for (const Knob knob : {Knob::effort, Knob::map, Knob::dither}) {
+    EXPECT_TRUE(wants_lut({knob})) << name_of(knob);
+    EXPECT_FALSE(wants_tracer({knob})) << name_of(knob);
+  }
   EXPECT_TRUE(wants_tracer({}) && wants_lut({Knob::combined}) && wants({}, Knob::method));
   for (const char* text : {"", "deep", "depth,", ",depth", "depth,,grid", "depth grid"})
     EXPECT_FALSE(parse_knobs(text, knobs)) << text;

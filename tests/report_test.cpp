@@ -39,10 +39,12 @@ TEST_F(ReportTest, NeedsNothingButItself) {
   EXPECT_EQ(count(page, "<script"), 0u);
   EXPECT_EQ(count(page, "http:") + count(page, "https:") + count(page, "url("), 0u);
   EXPECT_EQ(count(page, "src="), count(page, "src=\"data:image/png;base64,"));
-  EXPECT_EQ(count(page, "<img "), 25u);  // five images three ways, ten heat maps
-  EXPECT_EQ(count(page, "alt="), 25u);
-  EXPECT_EQ(count(page, "<svg "), 11u);     // ten LUTs and the clock
+  EXPECT_EQ(count(page, "<img "), 35u);  // five images four ways, fifteen heat maps
+  EXPECT_EQ(count(page, "alt="), 35u);
+  EXPECT_EQ(count(page, "<svg "), 16u);     // fifteen LUTs and the clock
   EXPECT_EQ(count(page, "<circle "), 10u);  // its ten times
+  EXPECT_EQ(count(page, "<figcaption>best LUT</figcaption>"), 5u);
+  EXPECT_EQ(count(page, "<td>best</td>"), 5u);
   for (const char* title : {"WHITTED", "CALICE", "LUMINAR", "PIRÂMIDE", "LCG"})
     EXPECT_GE(count(page, title), 10u) << title;
 }

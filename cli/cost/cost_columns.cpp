@@ -90,6 +90,10 @@ const std::vector<CostColumn>& lut_columns() {
          [](Row r) {
            return of_lut(r, [](Figures f) { return fmt::format("{:.2f}", f.de_p95); });
          }},
+        {"picture", "blurred",
+         [](Row r) {
+           return of_lut(r, [](Figures f) { return fmt::format("{:.3f}", f.de_blurred); });
+         }},
         {"picture", "hues lost",
          [](Row r) {
            return of_lut(r, [](Figures f) { return fmt::format("{:.4f}", f.hue_loss); });
@@ -150,11 +154,15 @@ std::vector<std::pair<std::string, std::string>> cost_legend(const CostReport& r
           "on 1 thread, its processor time; --budget counts both where there is no scene"},
          {"LUT, picture",
           "as the monitor shows it, against the true colours; dE p95: 95 % of the "
-          "pixels are within; hues lost: share of the coloured pixels that land "
-          "in another hue plane or in grey"},
+          "pixels are within; blurred: dE mean after a Gaussian blur of both by one pixel, in "
+          "linear light, which is fair to dither; hues lost: share of the coloured pixels that "
+          "land in another hue plane or in grey"},
+         {"best",
+          "the method best, beyond the thesis; pixels take the entry nearest by the eye (--map "
+          "perceptual), unless the row says --map rgb or --goal psnr: then by the bytes"},
          {"colours",
           "occupied cells of the grid; RGB has 5 bits unless it says otherwise, HSV "
-          "36x30x30 with greys up to 0.2"}});
+          "36x30x30 with greys up to 0.2; for best, the different colours of the picture"}});
   return legend;
 }
 

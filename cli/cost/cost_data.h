@@ -15,10 +15,11 @@ namespace sir::cli {
 
 /// What only a row of the LUT's part has.
 struct LutFigures {
-  std::size_t colours = 0;  ///< occupied cells
+  std::size_t colours = 0;  ///< see ChosenLut
   std::size_t entries = 0;
   std::vector<double> choose_ms, map_ms;  ///< the run's two halves
   double rmse = 0, de_p95 = 0, hue_loss = 0;
+  double de_blurred = 0;  ///< mean CIEDE2000 from where single pixels are not told apart
 };
 
 /// A setting and its price.

@@ -64,6 +64,8 @@ const std::vector<CostField>& cost_fields() {
       {"de_p95", [](Row r) { return of_lut(r, [](Figures f) -> FieldValue { return f.de_p95; }); }},
       {"hue_loss",
        [](Row r) { return of_lut(r, [](Figures f) -> FieldValue { return f.hue_loss; }); }},
+      {"de_blurred",
+       [](Row r) { return of_lut(r, [](Figures f) -> FieldValue { return f.de_blurred; }); }},
   };
   return fields;
 }

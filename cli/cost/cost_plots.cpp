@@ -6,12 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "cli/cost/effort_plot.h"
+#include "cli/cost/plot_script.h"
+
 namespace sir::cli {
 namespace {
-
-// Colours that can be told from white and from black, and from one another.
-constexpr const char* kColours[] = {"#2f86a6", "#c2543c", "#6a9a2f", "#a060b8",
-                                    "#c08a1e", "#3f9d86", "#808890", "#c05a8e"};
 
 // Of a name in a plot, in the plot's height; of a letter, in its width.
 constexpr double kNameHeight = 0.03, kLetterWidth = 0.0105;
@@ -28,24 +27,6 @@ double start_of_axis(const std::vector<const CostRow*>& named, double end) {
 }
 
 using RowsOfSeries = std::vector<std::pair<std::string, std::vector<const CostRow*>>>;
-
-std::string string_of(const std::string& text) {
-  std::string word = "\"";
-  for (const char c : text) word += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
-  return word + "\"";
-}
-
-std::string head(int width, int height) {
-  return fmt::format(
-      "set terminal svg size {},{} dynamic noenhanced font \"sans-serif,13\"\n"
-      "set encoding utf8\nset grid lc rgb \"#808890\" lw 0.5 dt 3\nset border 3\n"
-      "set tics nomirror\nset key outside right top\n",
-      width, height);
-}
-
-std::string block(const std::string& name, const std::string& lines) {
-  return "$" + name + " << END_OF_DATA\n" + lines + "END_OF_DATA\n";
-}
 
 RowsOfSeries by_knob(const CostPart& part) {
   RowsOfSeries series;
@@ -68,7 +49,7 @@ CostPlot price_plot(const CostPart& part, const std::string& of) {
       "Time and accuracy of " + of,
       "Each point is a row, its bar the middle half of the runs; the stair is the Pareto "
       "front, whose rows are named where there is room. Rows without any error are not drawn.",
-      head(900, 560)};
+      plot_head(900, 560)};
   const RowsOfSeries series = by_knob(part);
   std::vector<const CostRow*> front;
   double most = 0, worst = INFINITY, best = -INFINITY;
@@ -83,11 +64,11 @@ CostPlot price_plot(const CostPart& part, const std::string& of) {
       best = std::max(best, *row->picture.psnr);
       if (row->front) front.push_back(row);
     }
-    plot.script += block(fmt::format("series{}", i), lines);
+    plot.script += plot_block(fmt::format("series{}", i), lines);
     curves += fmt::format(
         "{}$series{} using 1:2:3:4 with xerrorbars pt 7 ps {} lw 1 lc rgb \"{}\" title {}",
-        i == 0 ? "" : ", ", i, series[i].first == "default" ? 1.1 : 0.6,
-        kColours[i % std::size(kColours)], string_of(series[i].first));
+        i == 0 ? "" : ", ", i, series[i].first == "default" ? 1.1 : 0.6, plot_colour(i),
+        plot_string(series[i].first));
   }
   if (series.empty()) return {};
   std::sort(front.begin(), front.end(),
@@ -98,10 +79,10 @@ CostPlot price_plot(const CostPart& part, const std::string& of) {
     const bool room = *row->picture.psnr - last_named > kNameHeight * (best - worst);
     if (room) last_named = *row->picture.psnr;
     stair += fmt::format("{} {} {}\n", row->time.median, *row->picture.psnr,
-                         string_of(room ? row->name : ""));
+                         plot_string(room ? row->name : ""));
   }
   // Above and left of the front nothing is: its names stand there.
-  plot.script += block("front", stair) +
+  plot.script += plot_block("front", stair) +
                  fmt::format(
                      "set logscale x\nset xrange [{}:{}]\nset offsets 0,0,1,0.5\n"
                      "set xlabel \"time, ms\"\nset ylabel \"PSNR, dB\"\nplot ",
@@ -120,11 +101,11 @@ CostPlot depth_plot(const CostPart& part) {
   CostPlot plot{"The depth of the tree of rays",
                 "Left: the time, in the default's. Right: pixels that differ from the truth with "
                 "one ray through each pixel's centre.",
-                head(900, 330)};
+                plot_head(900, 330)};
   std::string lines;
   for (const auto& [depth, row] : rows)
     lines += fmt::format("{} {} {}\n", depth, row->ratio.median, row->points->pixels);
-  plot.script += block("depth", lines) +
+  plot.script += plot_block("depth", lines) +
                  fmt::format("set xrange [0.5:{}]\n", rows.rbegin()->first + 0.5) +
                  "set nokey\nset xtics 1\nset xlabel \"depth\"\n"
                  "set multiplot layout 1,2\nset yrange [0:*]\nset ylabel \"time, default's = 1\"\n"
@@ -146,22 +127,22 @@ CostPlot antialias_plot(const CostPart& part) {
   CostPlot plot{"Antialiasing",
                 "Adaptive by threshold and random by number of rays, each named beside its point; "
                 "the time is in the default's, of one ray a pixel.",
-                head(900, 420)};
+                plot_head(900, 420)};
   std::string curves, names;
   for (std::size_t i = 0; i < series.size(); ++i) {
     std::string lines;
     for (const CostRow* row : series[i].second)
       lines += fmt::format("{} {} {}\n", row->ratio.median, *row->picture.psnr,
-                           string_of(fmt::format("{:g}", row->at)));
-    plot.script += block(fmt::format("series{}", i), lines);
+                           plot_string(fmt::format("{:g}", row->at)));
+    plot.script += plot_block(fmt::format("series{}", i), lines);
     curves += fmt::format(
         "{}$series{} using 1:2 with linespoints pt 7 ps 0.7 lw 2 lc rgb \"{}\" title {}",
-        i == 0 ? "" : ", ", i, kColours[i % std::size(kColours)], string_of(series[i].first));
+        i == 0 ? "" : ", ", i, plot_colour(i), plot_string(series[i].first));
     names += fmt::format(", $series{} using 1:2:3 with labels {} notitle", i,
                          i % 2 == 0 ? "right offset -0.6,0.5" : "left offset 0.6,-0.5");
   }
   if (const CostRow& usual = part.rows.front(); usual.picture.psnr) {
-    plot.script += block("usual", fmt::format("1 {}\n", *usual.picture.psnr));
+    plot.script += plot_block("usual", fmt::format("1 {}\n", *usual.picture.psnr));
     curves += ", $usual using 1:2 with points pt 7 ps 1.1 lc rgb \"#808890\" title \"one ray\"";
   }
   plot.script +=
@@ -188,6 +169,7 @@ std::vector<CostPlot> tracer_plots(const CostPart& part) {
 std::vector<CostPlot> lut_plots(const CostPart& part) {
   std::vector<CostPlot> plots;
   keep(plots, price_plot(part, "the LUT's settings"));
+  keep(plots, effort_plot(part));
   return plots;
 }
 

@@ -18,7 +18,8 @@ struct CostPlot {
 /// where there are rows for it.
 std::vector<CostPlot> tracer_plots(const CostPart& part);
 
-/// Time against PSNR with the front.
+/// Time against PSNR with the front, the efforts of the method best; each where there are rows for
+/// it.
 std::vector<CostPlot> lut_plots(const CostPart& part);
 
 }  // namespace sir::cli

@@ -7,7 +7,7 @@
 namespace sir::cli {
 namespace {
 
-constexpr std::array<std::pair<Knob, const char*>, 11> kNames{{{Knob::precision, "precision"},
+constexpr std::array<std::pair<Knob, const char*>, 14> kNames{{{Knob::precision, "precision"},
                                                                {Knob::formulas, "formulas"},
                                                                {Knob::depth, "depth"},
                                                                {Knob::cutoff, "cutoff"},
@@ -17,7 +17,10 @@ constexpr std::array<std::pair<Knob, const char*>, 11> kNames{{{Knob::precision,
                                                                {Knob::method, "method"},
                                                                {Knob::grid, "grid"},
                                                                {Knob::sample, "sample"},
-                                                               {Knob::nearest, "nearest"}}};
+                                                               {Knob::nearest, "nearest"},
+                                                               {Knob::effort, "effort"},
+                                                               {Knob::map, "map"},
+                                                               {Knob::dither, "dither"}}};
 
 bool any_between(const KnobSet& only, Knob first, Knob last) {
   return only.empty() || std::any_of(only.begin(), only.end(),
@@ -44,7 +47,7 @@ bool wants_tracer(const KnobSet& only) {
   return any_between(only, Knob::precision, Knob::combined);
 }
 
-bool wants_lut(const KnobSet& only) { return any_between(only, Knob::combined, Knob::nearest); }
+bool wants_lut(const KnobSet& only) { return any_between(only, Knob::combined, Knob::dither); }
 
 bool parse_knobs(std::string_view text, KnobSet& knobs) {
   KnobSet read;

@@ -19,7 +19,10 @@ enum class Knob : std::uint8_t {
   method,     ///< of choosing a LUT, with the order of splitting
   grid,       ///< in which colours are counted, with the limits of grey
   sample,     ///< every so many-th pixel counted
-  nearest     ///< how the nearest entry is found
+  nearest,    ///< how the nearest entry is found
+  effort,     ///< of the method best, for either of its goals
+  map,        ///< what "nearest" means: by the bytes or by the eye
+  dither      ///< entries side by side
 };
 
 /// Its word on the command line.

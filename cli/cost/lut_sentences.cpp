@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,10 @@ std::string compared(const CostRow& row, const CostRow& base) {
           : gain_in_words(base.picture.psnr, row.picture.psnr)));
 }
 
+bool is_told_by_best_sentences(const CostRow& row) {
+  return row.knob == Knob::effort || row.knob == Knob::map || row.knob == Knob::dither;
+}
+
 }  // namespace
 
 std::vector<std::string> lut_sentences(const CostPart& part) {
@@ -28,7 +33,7 @@ std::vector<std::string> lut_sentences(const CostPart& part) {
   const CostRow* best = &usual;
   for (const CostRow& row : part.rows) {
     if (comparable(row.picture.psnr) > comparable(best->picture.psnr)) best = &row;
-    if (&row == &usual) continue;
+    if (&row == &usual || is_told_by_best_sentences(row)) continue;
     const bool of_rgb = row.family == "rgb grid" && rgb != part.rows.end();
     if (of_rgb && &row != &*rgb) sentences.push_back(compared(row, *rgb));
     else if (row.front || row.knob == Knob::sample || row.knob == Knob::nearest)
@@ -37,6 +42,7 @@ std::vector<std::string> lut_sentences(const CostPart& part) {
   if (best != &usual && best->picture.psnr)
     sentences.push_back(fmt::format("The most accurate of these is {}: {:.2f} dB.", best->name,
                                     *best->picture.psnr));
+  for (std::string& sentence : best_sentences(part)) sentences.push_back(std::move(sentence));
   return sentences;
 }
 

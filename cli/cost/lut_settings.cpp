@@ -1,16 +1,20 @@
 #include "cli/cost/lut_settings.h"
 
+#include <array>
 #include <functional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "quant/nearest.h"
+#include "cli/cost/best_words.h"
 
 namespace sir::cli {
 namespace {
 
+using quant::BestOptions;
 using quant::ChooseOptions;
+using quant::Dither;
+using quant::Goal;
 using quant::Method;
 using quant::Space;
 using quant::SplitOrder;
@@ -29,8 +33,23 @@ class List {
     LutSetting& row = rows_.emplace_back();
     row.knob = knob;
     row.name = row.subject = name;
-    if (change) change(row.choice);
+    if (change) change(std::get<ChooseOptions>(row.choice));
     return &row;
+  }
+
+  // A LUT by `best`, mapped by what it is good at.
+  LutSetting* add_best(Knob knob, const std::string& name, Goal goal = Goal::perceptual,
+                       int effort = quant::kUsualEffort) {
+    constexpr std::array<double, 5> kWeights{12, 20, 45, 85, 105};
+    LutSetting* row = add(knob, name);
+    if (!row) return nullptr;
+    BestOptions options;
+    options.goal = goal;
+    options.effort = effort;
+    row->choice = options;
+    row->mapping.search = goal == Goal::perceptual ? Search::perceptual : Search::exact;
+    row->weight = kWeights[static_cast<std::size_t>(effort - quant::kMinEffort)];
+    return row;
   }
 
   std::vector<LutSetting> take() { return std::move(rows_); }
@@ -93,9 +112,42 @@ void add_samples(List& list) {
 
 void add_searches(List& list) {
   if (LutSetting* row = list.add(Knob::nearest, "nearest by the lattice, approximate"))
-    row->search = Search::approximate;
-  if (LutSetting* row = list.add(Knob::nearest, "nearest of all 256, one by one"))
-    row->search = Search::exhaustive;
+    row->mapping.search = Search::approximate;
+  if (LutSetting* row = list.add(Knob::nearest, "nearest of all 256, one by one")) {
+    row->mapping.search = Search::exhaustive;
+    row->weight = 30;
+  }
+}
+
+void add_efforts(List& list) {
+  for (const Goal goal : {Goal::perceptual, Goal::psnr})
+    for (int effort = quant::kMinEffort; effort <= quant::kMaxEffort; ++effort)
+      if (LutSetting* row = list.add_best(Knob::effort, best_name(goal, effort), goal, effort)) {
+        row->family = goal == Goal::perceptual ? kBestByEye : kBestByBytes;
+        row->at = effort;
+      }
+}
+
+void add_maps(List& list, bool has_best) {
+  if (!has_best) list.add_best(Knob::map, best_name());
+  if (LutSetting* row = list.add_best(Knob::map, kBestMappedByBytes))
+    row->mapping.search = Search::exact;
+  if (LutSetting* row = list.add(Knob::map, "median hsv, --map perceptual")) {
+    row->mapping.search = Search::perceptual;
+    row->weight = 10;
+  }
+}
+
+void add_dithers(List& list, bool has_best) {
+  if (!has_best) list.add_best(Knob::dither, best_name());
+  for (const auto& [word, kind] :
+       {std::pair("floyd", Dither::floyd), std::pair("blue-noise", Dither::blue_noise)}) {
+    LutSetting* row = list.add_best(Knob::dither, fmt::format("best, --dither {}", word));
+    if (row) row->mapping.dither = kind;
+    row = list.add(Knob::dither, fmt::format("median hsv, --dither {}", word));
+    if (row) row->mapping.dither = kind;
+    if (row) row->weight = 15;
+  }
 }
 
 void add_combined(List& list) {
@@ -109,7 +161,7 @@ void add_combined(List& list) {
             o.space = Space::rgb;
             o.sample = 16;
           }))
-    row->search = Search::approximate;
+    row->mapping.search = Search::approximate;
   list.add(Knob::combined, "median rgb --rgb-bits 6 --sample 4", [](ChooseOptions& o) {
     o.space = Space::rgb;
     o.rgb_bits = 6;
@@ -129,6 +181,9 @@ std::vector<LutSetting> lut_settings(const KnobSet& only, const std::optional<Ch
   add_grids(list, wants(only, Knob::method));
   add_samples(list);
   add_searches(list);
+  add_efforts(list);
+  add_maps(list, wants(only, Knob::effort));
+  add_dithers(list, wants(only, Knob::effort) || wants(only, Knob::map));
   add_combined(list);
   auto rows = list.take();
   if (own) {
@@ -139,14 +194,6 @@ std::vector<LutSetting> lut_settings(const KnobSet& only, const std::optional<Ch
     row.choice = *own;
   }
   return rows;
-}
-
-std::vector<std::uint8_t> map_by(Search search, const Planes& image, const quant::Lut& lut) {
-  switch (search) {
-    case Search::approximate: return quant::map_to_lut(image, lut, quant::Mapping::approximate);
-    case Search::exhaustive: return quant::map_exhaustively(image, lut);
-    default: return quant::map_to_lut(image, lut);
-  }
 }
 
 }  // namespace sir::cli

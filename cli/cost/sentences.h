@@ -31,4 +31,8 @@ std::vector<std::string> tracer_sentences(const CostPart& part);
 /// Likewise of the LUT's rows.
 std::vector<std::string> lut_sentences(const CostPart& part);
 
+/// Those of them that speak of the method `best`, of mapping by the eye and of dither: what they
+/// gain to the eye, where that is what they are for. lut_sentences() has them.
+std::vector<std::string> best_sentences(const CostPart& part);
+
 }  // namespace sir::cli
