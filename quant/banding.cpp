@@ -1,5 +1,6 @@
 #include "quant/banding.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr int kDacStep = 4;  // levels of a byte from a code of the DAC to the next
 constexpr int kReach = 2;    // pixels around
+constexpr int kStretch = 3;  // pixels of one colour on either side of a false contour
 
 /// The pixels of an image in one direction: lines of `length` pixels, `step`
 /// apart in memory, and the first pixels of lines `line_step` apart.
@@ -80,6 +82,43 @@ Mask smooth_pixels(const Planes& image) {
   return eroded(eroded(even, rows), columns);
 }
 
+/// The steps of an image along the lines of a direction.
+class Steps {
+ public:
+  Steps(const Planes& shown, const Direction& along) : shown_(shown), along_(along) {}
+
+  /// Whether there is a step after pixel i of a line, between even stretches.
+  bool even(int line, int i) const {
+    const Rgb8 before = at(line, i), after = at(line, i + 1);
+    if (before == after) return false;
+    for (int k = 1; k < kStretch; ++k) {
+      if (i - k >= 0 && at(line, i - k) != before) return false;
+      if (i + 1 + k < along_.length && at(line, i + 1 + k) != after) return false;
+    }
+    return true;
+  }
+
+  /// Whether the step goes on in both lines beside; beyond the image it does.
+  bool goes_on(int line, int i) const {
+    return goes_on_in(line - 1, line, i) && goes_on_in(line + 1, line, i);
+  }
+
+ private:
+  bool goes_on_in(int beside, int line, int i) const {
+    if (beside < 0 || beside >= along_.lines) return true;
+    for (int j = std::max(i - 1, 0); j <= i + 1 && j + 1 < along_.length; ++j)
+      if (at(beside, j) == at(line, i) && at(beside, j + 1) == at(line, i + 1)) return true;
+    return false;
+  }
+
+  Rgb8 at(int line, int i) const {
+    return shown_.at(along_.first(line) + static_cast<std::size_t>(i) * along_.step);
+  }
+
+  const Planes& shown_;
+  const Direction& along_;
+};
+
 }  // namespace
 
 double banding(const Planes& reference, const Planes& shown) {
@@ -89,17 +128,15 @@ double banding(const Planes& reference, const Planes& shown) {
   double sum = 0;
   std::size_t pairs = 0;
   for (const Direction& along : {rows_of(shown.size), columns_of(shown.size)}) {
-    const auto length = static_cast<std::size_t>(along.length);
-    pairs += static_cast<std::size_t>(along.lines) * (length - 1);
+    const Steps steps(shown, along);
+    pairs += static_cast<std::size_t>(along.lines) * static_cast<std::size_t>(along.length - 1);
     for (int line = 0; line < along.lines; ++line)
-      for (std::size_t i = 0; i + 1 < length; ++i) {
-        const std::size_t p = along.first(line) + i * along.step, q = p + along.step;
-        const Rgb8 before = shown.at(p), after = shown.at(q);
-        if (before == after || !smooth[p] || !smooth[q]) continue;
-        if (i > 0 && shown.at(p - along.step) != before) continue;
-        if (i + 2 < length && shown.at(q + along.step) != after) continue;
+      for (int i = 0; i + 1 < along.length; ++i) {
+        const std::size_t p = along.first(line) + static_cast<std::size_t>(i) * along.step,
+                          q = p + along.step;
+        if (!smooth[p] || !smooth[q] || !steps.even(line, i) || !steps.goes_on(line, i)) continue;
         const double added =
-            difference(before, after) - difference(reference.at(p), reference.at(q));
+            difference(shown.at(p), shown.at(q)) - difference(reference.at(p), reference.at(q));
         if (added > 0) sum += added * added;
       }
   }

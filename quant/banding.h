@@ -15,8 +15,11 @@ namespace sir::quant {
 ///   neighbours (x[-1] - 2 x[0] + x[1]), by more than 4 levels in a plane. That
 ///   is the DAC's own step: a steeper slope has its steps pixel by pixel, a
 ///   stronger texture hides them;
-/// - the shown image steps from one even stretch to another there: each of the
-///   two pixels equals the next one away from the pair. Dither does not.
+/// - the shown image steps from one even stretch to another there: each of the two pixels equals
+///   the next two away from the pair;
+/// - the step goes on: in the lines before and after, the same two colours meet, at most one pixel
+///   further along. A contour is a line. Dither has even stretches too, by chance and by its
+///   pattern, but they seldom line up.
 /// What it adds is the CIEDE2000 across the pair as shown less that of the
 /// reference, where positive. The square makes one step of two just-visible
 /// differences count more than two steps of one; otherwise fewer and coarser

@@ -7,6 +7,9 @@
 #include <cmath>
 
 #include "quant/ciede2000.h"
+#include "quant/dither.h"
+#include "quant/nearest.h"
+#include "quant/shown_through.h"
 #include "tests/random_planes.h"
 
 namespace sir::quant {
@@ -89,6 +92,36 @@ TEST(Banding, IsLessWhereStepsAreDithered) {
     dithered.set(i, grey(std::min((smooth.at(i).r + up) / 16 * 16, 255)));
   }
   EXPECT_LT(banding(smooth, dithered), 0.5 * banding(smooth, ramp(16)));
+}
+
+TEST(Banding, IsNotFoundInTheStretchesOfDither) {
+  // Grey 40 and more, a level every 4 columns, shown in greys 8 levels apart: plainly, by error
+  // diffusion and by place. Dither has many pairs of two and two equal pixels.
+  Planes slope(ImageSize{400, 64});
+  for (std::size_t i = 0; i < slope.size.pixels(); ++i)
+    slope.set(i, grey(40 + static_cast<int>(i) % 400 / 4));
+  std::vector<DacCode> codes;
+  for (std::uint8_t code = 8; code <= 36; code += 2) codes.push_back({code, code, code});
+  const Lut lut = make_lut(codes);
+  const auto shown = [&](Dither kind) {
+    return as_seen(slope.size, dither(slope, lut, kind, NearestSearch(lut)), lut);
+  };
+  const double plain = banding(slope, shown(Dither::none));
+  EXPECT_LT(banding(slope, shown(Dither::floyd)), 0.1 * plain);
+  EXPECT_LT(banding(slope, shown(Dither::blue_noise)), 0.3 * plain);
+}
+
+TEST(Banding, FollowsAContourThatWinds) {
+  // A circle of one level more: its contour runs in all directions, and is found all around.
+  Planes flat(ImageSize{64, 64}), shown(ImageSize{64, 64});
+  for (std::size_t i = 0; i < flat.size.pixels(); ++i) {
+    const int x = static_cast<int>(i) % 64 - 32, y = static_cast<int>(i) / 64 - 32;
+    flat.set(i, grey(100));
+    shown.set(i, grey(x * x + y * y < 400 ? 105 : 100));
+  }
+  const double added = ciede2000(lab_of(grey(100)), lab_of(grey(105)));
+  const double pairs = 2 * 63 * 64, found = std::pow(banding(flat, shown) / added, 2) * pairs;
+  EXPECT_GT(found, 20 * 2 * 3.14159 * 0.7);  // most of the pixels along it
 }
 
 TEST(Banding, OfTheSmallestImages) {
