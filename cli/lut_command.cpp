@@ -9,6 +9,7 @@
 
 #include "cli/image_input.h"
 #include "quant/lut.h"
+#include "tracer/atomic_file.h"
 #include "tracer/error.h"
 #include "tracer/scene_path.h"
 
@@ -170,8 +171,10 @@ int run_lut(const LutOptions& options, const Session& session) {
   const auto output =
       options.output.value_or(with_suffix(base_name(options.inputs.front()), "LUT"));
   for (const auto& input : options.inputs) refuse_input_file(output, input);
-  if (options.best)
+  if (options.best) {
     for (const auto& mask : options.best->masks) refuse_input_file(output, mask);
+    if (options.best->from) refuse_same_file(output, *options.best->from);
+  }
   Chosen chosen = options.best ? choose_best(options, session) : choose_by_thesis(options);
   timed(chosen.ms.write, [&] { quant::write_lut(output, chosen.lut); });
   print(options.json ? as_json(chosen) : as_text(output, chosen, options));

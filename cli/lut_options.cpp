@@ -67,7 +67,8 @@ Options add_best_options(CLI::App* sub, BestCommand& best, quant::DacBits& dac) 
       sub->add_option("--effort", options.effort, "best: 1, in a hurry, to 5, to the last gain (3)")
           ->check(CLI::Range(quant::kMinEffort, quant::kMaxEffort))
           ->type_name("N"),
-      sub->add_option("--entries", options.entries, "best: at most so many entries (256)")
+      sub->add_option("--entries", options.entries,
+                      "best: at most so many entries (all that are not reserved)")
           ->check(CLI::Range(std::size_t{1}, quant::kLutEntries))
           ->type_name("N"),
       add_parsed(sub, "--bits", dac, quant::parse_bits,
@@ -106,9 +107,10 @@ void check(const LutOptions& options) {
   const auto& masks = options.best->masks;
   if (!masks.empty() && masks.size() != options.inputs.size())
     throw CLI::ValidationError("--mask", "is needed once for each image, in their order");
-  if (options.best->from) return;  // its DAC is known once it is read
+  quant::BestOptions best = options.best->options;
+  if (options.best->from) best.dac = {{8, 8, 8}};  // which it is, is known once it is read
   try {
-    (void)quant::places_of(options.best->options);
+    (void)quant::places_of(best);
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("lut", error.what());
   }
@@ -131,6 +133,7 @@ void add_lut(CLI::App& app, Action& action) {
   const Options of_thesis = add_choice_options(sub, options->choice);
   const Options of_best = add_best_options(sub, *best, *dac);
   CLI::Option* bits = sub->get_option("--bits");
+  CLI::Option* entries = sub->get_option("--entries");
   add_size(sub, options->size, "size of the planes (640x480)");
   sub->add_option("-o", options->output, "the LUT's file (BASE.LUT)")->type_name("FILE.LUT");
   sub->add_flag("--json", options->json, "print JSON");
@@ -139,6 +142,8 @@ void add_lut(CLI::App& app, Action& action) {
       refuse_any(of_thesis, "belongs to the methods frequency and median");
       best->options.dac = *dac;
       if (bits->count() > 0) best->dac = *dac;
+      const std::size_t usable = quant::kLutEntries - best->options.reserved.count();
+      if (entries->count() == 0 && usable > 0) best->options.entries = usable;
       options->best = *best;
     } else {
       refuse_any(of_best, "belongs to --method best");

@@ -53,6 +53,7 @@ class Choice {
     std::vector<DacCode> codes;
     for (const Pin& pin : options_.pins) codes.push_back(pin.code);
     if (!places_.free.empty()) choose(codes, choice.lost_hues);
+    else if (options_.protect_hues) choice.lost_hues = lost_to_pins();
     choice.lut = placed(codes, places_, options_);
     choice.entries = codes.size();
     choice.error = error_of(codes);
@@ -64,6 +65,7 @@ class Choice {
     const auto floor = lattice_colours();
     Palette palette = floor ? on_lattice(*floor) : off_lattice();
     if (!floor) {
+      spend_spare(palette);
       lloyd(palette);
       swaps(palette);
       lloyd(palette);
@@ -75,6 +77,13 @@ class Choice {
       polish(palette);
     }
     take(palette, codes);
+  }
+
+  // The planes that the pins leave without an entry, where pins are all there is.
+  std::vector<int> lost_to_pins() {
+    Palette palette = at_codes({});
+    palette.hold();
+    return guard_hues(palette, colours_.all(), measure_, options_.dac);
   }
 
   // The codes nearest to the colours, where there are entries for all of them.
@@ -169,8 +178,20 @@ class Choice {
     }
   }
 
+  // Entries without colours go where they help: a LUT to start from may repeat its last one, and
+  // on a coarse lattice entries fall together. Each round may double those that are used.
+  void spend_spare(Palette& palette) const {
+    for (;;) {
+      std::size_t spare = 0;
+      for (std::size_t i = 0; i < palette.size(); ++i)
+        spare += palette.rule(i).free() && palette.sum(i).points == 0;
+      if (spare == 0 || palette.swap(spare, effort_.worth) == 0) break;
+    }
+  }
+
   void polish(Palette& palette) const {
     lloyd(palette);
+    spend_spare(palette);
     if (options_.effort > kUsualEffort) swaps(palette);
     for (int i = 0; i < effort_.nudges; ++i)
       if (palette.nudge(effort_.tries) == 0) break;
@@ -180,8 +201,11 @@ class Choice {
   // The chosen codes, each once, those that serve no colour left out.
   void take(const Palette& palette, std::vector<DacCode>& codes) {
     const std::size_t pins = options_.pins.size();
-    if (options_.from) {  // all of them, to keep their order
+    if (options_.from) {  // all of them, to keep their order; as they were where nothing is gained
+      std::vector<DacCode> same = codes;
+      for (const std::size_t index : places_.free) same.push_back(options_.from->entry[index]);
       codes.assign(palette.codes().begin(), palette.codes().end());
+      if (!options_.protect_hues && error_of(same) <= error_of(codes)) codes = same;
       return;
     }
     std::set<DacCode> known(codes.begin(), codes.end());

@@ -45,7 +45,8 @@ struct BestChoice {
 /// Where the colours' nearest codes are no more than the entries, they are the start of 3, so that
 /// such a picture is shown as well as the DAC can.
 ///
-/// An index that is not used repeats an entry before it; a reserved one has `from`'s entry, else
+/// An index that is not used repeats an entry before it, or where there is none, pins being all
+/// there is, the first pin; a reserved one has `from`'s entry, else
 /// black. The same input gives the same LUT; no threads are started. Throws std::invalid_argument
 /// with a message for people: entries of 0 or more than 256 or than are not reserved, more pins
 /// than entries, pins that are no codes of the DAC, twice at an index or at a reserved one, a

@@ -167,7 +167,11 @@ double Palette::step() {
 void Palette::hold() {
   held_ = true;
   for (std::size_t i = 0; i < size(); ++i) {
-    if (!rules_[i].free() || sums_[i].points == 0) continue;
+    if (!rules_[i].free()) continue;
+    if (sums_[i].points == 0) {  // else it might win points where no code is
+      move(i, codes_[i]);
+      continue;
+    }
     // One that is on the lattice already must not end worse.
     const bool there = entries_[i] == measure_->point_of(seen(codes_[i], dac_));
     move(i, best_code(sums_[i], dac_, *measure_, there ? &codes_[i] : nullptr));

@@ -53,7 +53,8 @@ class Palette {
   /// nearest entry. Returns the share of the cost that is saved.
   double step();
 
-  /// Moves the entries to codes of the DAC, where they stay from now on. The cost rises.
+  /// Moves the entries to codes of the DAC, where they stay from now on. The cost rises. Those
+  /// without points go to the code that was set, or else to black.
   void hold();
   const std::vector<DacCode>& codes() const { return codes_; }  ///< once it is held
 

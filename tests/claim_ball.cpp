@@ -1,8 +1,10 @@
 #include "tests/claim_ball.h"
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
+#include "quant/ciede2000.h"
 #include "quant/grid.h"
 #include "quant/hue_loss.h"
 #include "quant/shown_through.h"
@@ -72,6 +74,11 @@ std::set<int> BallImage::hues() const {
     planes.insert(plane.plane);
   planes.erase(quant::HsvGrid().grey_plane());
   return planes;
+}
+
+double BallImage::ball_difference(const Planes& shown) const {
+  const auto map = quant::difference_map(true_ball_, of_ball(shown));
+  return std::accumulate(map.begin(), map.end(), 0.0) / static_cast<double>(map.size());
 }
 
 BallLoss BallImage::loss(quant::Space space, quant::SplitOrder order) const {

@@ -42,6 +42,9 @@ class BallImage {
   std::set<int> hues() const;
   std::size_t pixels() const { return true_ball_.size.pixels(); }
 
+  /// Mean CIEDE2000 of the ball's pixels in the image as `shown`.
+  double ball_difference(const Planes& shown) const;
+
   /// With the LUT of median cut, each pixel as the nearest entry.
   BallLoss loss(quant::Space space, quant::SplitOrder order) const;
 
