@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "cli/image_input.h"
+#include "cli/interrupt.h"
+#include "cli/progress.h"
 #include "quant/lut.h"
 #include "tracer/atomic_file.h"
 #include "tracer/error.h"
@@ -121,7 +123,11 @@ Chosen choose_best(const LutOptions& options, const Session& session) {
   if (colours.all().empty())
     throw FileError(command.masks.front().string(), 0, "leaves no pixel to choose colours from");
 
-  const auto choice = timed(ms.choose, [&] { return quant::choose_best(colours, best); });
+  Progress progress(session, "choosing colours");
+  const auto choice = timed(ms.choose, [&] {
+    return quant::choose_best(colours, best, progress.callback(), interruption());
+  });
+  progress.finish();
   chosen.lut = choice.lut;
   chosen.entries = choice.entries;
   chosen.error = choice.error;
@@ -176,6 +182,7 @@ int run_lut(const LutOptions& options, const Session& session) {
     if (options.best->from) refuse_same_file(output, *options.best->from);
   }
   Chosen chosen = options.best ? choose_best(options, session) : choose_by_thesis(options);
+  if (interrupted()) return kInterrupted;
   timed(chosen.ms.write, [&] { quant::write_lut(output, chosen.lut); });
   print(options.json ? as_json(chosen) : as_text(output, chosen, options));
   if (options.best && options.best->options.reserved.any())

@@ -19,31 +19,15 @@
 namespace sir::quant {
 namespace {
 
-/// How much of each step an effort takes.
-struct Effort {
-  std::size_t points;  // at most, of colours taken together
-  int steps;           // of Lloyd
-  double enough;       // a step that saves less of the cost is the last
-  int swaps;
-  double worth;  // of a swap, see Palette::swap
-  int nudges;
-  std::size_t tries;  // of a nudge
-};
-constexpr std::array<Effort, 5> kEfforts{{{8192, 4, 1e-2, 0, 1, 0, 0},
-                                          {16384, 6, 2e-3, 4, 1, 6, 4},
-                                          {80000, 10, 1e-3, 16, 0.7, 16, 8},
-                                          {100000, 20, 1e-4, 40, 0.5, 40, 12},
-                                          {std::size_t{1} << 24, 60, 1e-6, 200, 0.4, 200, 26}}};
-
 class Choice {
  public:
-  Choice(const WeightedColours& colours, const BestOptions& options)
+  Choice(const WeightedColours& colours, const BestOptions& options, Refinement refinement)
       : colours_(colours),
         options_(options),
-        effort_(kEfforts[static_cast<std::size_t>(options.effort - kMinEffort)]),
+        refinement_(std::move(refinement)),
         places_(places_of(options)),
         measure_(options.goal),
-        points_(colours.points(measure_, effort_.points)) {
+        points_(colours.points(measure_, refinement_.points())) {
     for (const ColourPoint& point : points_.all) weights_.push_back(point.weight);
     if (options.goal == Goal::perceptual) raise_small_hues(points_.all);
   }
@@ -64,17 +48,12 @@ class Choice {
   void choose(std::vector<DacCode>& codes, std::vector<int>& lost_hues) {
     const auto floor = lattice_colours();
     Palette palette = floor ? on_lattice(*floor) : off_lattice();
-    if (!floor) {
-      spend_spare(palette);
-      lloyd(palette);
-      swaps(palette);
-      lloyd(palette);
-    }
+    if (!floor) refinement_.free(palette);
     palette.hold();
-    polish(palette);
+    refinement_.held(palette);
     if (options_.protect_hues) {
       lost_hues = guard_hues(palette, colours_.all(), measure_, options_.dac);
-      polish(palette);
+      refinement_.held(palette);
     }
     take(palette, codes);
   }
@@ -161,43 +140,6 @@ class Choice {
     return palette;
   }
 
-  void lloyd(Palette& palette) const {
-    for (int i = 0; i < effort_.steps; ++i)
-      if (palette.step() <= effort_.enough) break;
-  }
-
-  // Many at once as long as that helps, then fewer.
-  void swaps(Palette& palette) const {
-    std::size_t most = std::max<std::size_t>(palette.size() / 16, 1);
-    for (int i = 0; i < effort_.swaps; ++i) {
-      const double before = palette.cost();
-      const std::size_t moved = palette.swap(most, effort_.worth);
-      if (most == 1 && moved == 0) break;
-      if (2 * moved < most || palette.cost() > before * (1 - effort_.enough))
-        most = std::max<std::size_t>(most / 2, 1);
-    }
-  }
-
-  // Entries without colours go where they help: a LUT to start from may repeat its last one, and
-  // on a coarse lattice entries fall together. Each round may double those that are used.
-  void spend_spare(Palette& palette) const {
-    for (;;) {
-      std::size_t spare = 0;
-      for (std::size_t i = 0; i < palette.size(); ++i)
-        spare += palette.rule(i).free() && palette.sum(i).points == 0;
-      if (spare == 0 || palette.swap(spare, effort_.worth) == 0) break;
-    }
-  }
-
-  void polish(Palette& palette) const {
-    lloyd(palette);
-    spend_spare(palette);
-    if (options_.effort > kUsualEffort) swaps(palette);
-    for (int i = 0; i < effort_.nudges; ++i)
-      if (palette.nudge(effort_.tries) == 0) break;
-    lloyd(palette);
-  }
-
   // The chosen codes, each once, those that serve no colour left out.
   void take(const Palette& palette, std::vector<DacCode>& codes) {
     const std::size_t pins = options_.pins.size();
@@ -237,7 +179,7 @@ class Choice {
 
   const WeightedColours& colours_;
   const BestOptions& options_;
-  const Effort& effort_;
+  Refinement refinement_;
   Places places_;
   ColourMeasure measure_;
   ColourPoints points_;         // those of small hues with more weight
@@ -246,13 +188,13 @@ class Choice {
 
 }  // namespace
 
-BestChoice choose_best(const WeightedColours& colours, const BestOptions& options) {
-  if (options.effort < kMinEffort || options.effort > kMaxEffort)
-    throw std::invalid_argument("an effort is from 1 to 5");
+BestChoice choose_best(const WeightedColours& colours, const BestOptions& options,
+                       const ProgressTo& progress, std::stop_token stop) {
+  Refinement refinement(options.effort, progress, std::move(stop));
   if (options.from && options.from->dac != options.dac)
     throw std::invalid_argument("the LUT to start from is of another DAC");
   if (colours.all().empty()) throw std::invalid_argument("there are no colours to choose from");
-  return Choice(colours, options).run();
+  return Choice(colours, options, std::move(refinement)).run();
 }
 
 }  // namespace sir::quant

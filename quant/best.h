@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "quant/colour_measure.h"
@@ -12,10 +13,9 @@
 #include "quant/index_set.h"
 #include "quant/lut.h"
 #include "quant/pin.h"
+#include "quant/refinement.h"
 
 namespace sir::quant {
-
-inline constexpr int kMinEffort = 1, kUsualEffort = 3, kMaxEffort = 5;
 
 struct BestOptions {
   Goal goal = Goal::perceptual;
@@ -43,7 +43,8 @@ struct BestChoice {
 /// 2. Lloyd's steps and swaps of entries, free of the lattice;
 /// 3. the entries moved onto the lattice, Lloyd's steps there, then nudges (quant/palette.h).
 /// Where the colours' nearest codes are no more than the entries, they are the start of 3, so that
-/// such a picture is shown as well as the DAC can.
+/// such a picture is shown as well as the DAC can. A stop request ends it early, with what is
+/// reached by then.
 ///
 /// An index that is not used repeats an entry before it, or where there is none, pins being all
 /// there is, the first pin; a reserved one has `from`'s entry, else
@@ -51,6 +52,7 @@ struct BestChoice {
 /// with a message for people: entries of 0 or more than 256 or than are not reserved, more pins
 /// than entries, pins that are no codes of the DAC, twice at an index or at a reserved one, a
 /// `from` of another DAC, an effort out of range, and no colours.
-BestChoice choose_best(const WeightedColours& colours, const BestOptions& options = {});
+BestChoice choose_best(const WeightedColours& colours, const BestOptions& options = {},
+                       const ProgressTo& progress = {}, std::stop_token stop = {});
 
 }  // namespace sir::quant

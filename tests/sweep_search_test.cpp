@@ -14,34 +14,20 @@ namespace {
 using Nearest = SweepSearch::Nearest;
 
 /// The definition, from the last to the first.
-SweepSearch::Two by_definition(std::span<const glm::vec3> entries, const glm::vec3& at,
-                               const Form& form) {
-  SweepSearch::Two two;
+Nearest by_definition(std::span<const glm::vec3> entries, const glm::vec3& at, const Form& form) {
+  Nearest nearest;
   for (std::size_t i = entries.size(); i-- > 0;) {
     const Nearest one{static_cast<std::uint32_t>(i), form(at - entries[i])};
-    if (one.difference <= two.first.difference) {
-      two.second = two.first;
-      two.first = one;
-    } else if (one.difference <= two.second.difference) {
-      two.second = one;
-    }
+    if (one.difference <= nearest.difference) nearest = one;
   }
-  return two;
+  return nearest;
 }
 
 void expect_same(std::span<const glm::vec3> entries, const glm::vec3& at, const Form& form) {
-  const SweepSearch search(entries);
-  const auto two = search.nearest_two(at, form);
-  const auto one = search.nearest(at, form);
-  const auto expected = by_definition(entries, at, form);
-  ASSERT_EQ(one.index, expected.first.index);
-  ASSERT_EQ(one.difference, expected.first.difference);
-  ASSERT_EQ(two.first.index, expected.first.index);
-  ASSERT_EQ(two.first.difference, expected.first.difference);
-  ASSERT_EQ(two.second.difference, expected.second.difference);
-  if (entries.size() == 1) return;
-  ASSERT_EQ(two.second.index, expected.second.index);
-  ASSERT_NE(two.first.index, two.second.index);
+  const Nearest one = SweepSearch(entries).nearest(at, form);
+  const Nearest expected = by_definition(entries, at, form);
+  ASSERT_EQ(one.index, expected.index);
+  ASSERT_EQ(one.difference, expected.difference);
 }
 
 float uniform(std::mt19937& random, float low, float high) {
@@ -94,13 +80,7 @@ TEST(SweepSearch, EntriesOfOneXAreAllTried) {
       expect_same(entries, {x, static_cast<float>(i) + 0.5f, 1}, {});
 }
 
-TEST(SweepSearch, OfOneEntryHasNoSecond) {
-  const std::vector<glm::vec3> entries{{1, 2, 3}};
-  const auto two = SweepSearch(entries).nearest_two({2, 2, 3}, {});
-  EXPECT_EQ(two.first.index, 0u);
-  EXPECT_EQ(two.first.difference, 1.0f);
-  EXPECT_EQ(two.second.difference, std::numeric_limits<float>::infinity());
-}
+TEST(SweepSearch, NeedsAnEntry) { EXPECT_THROW(SweepSearch({}), std::invalid_argument); }
 
 }  // namespace
 }  // namespace sir::quant
