@@ -148,7 +148,7 @@ void expect_promises(const Planes& picture, const BestOptions& options) {
 
 TEST(BestPromises, AreKeptForAnyOptions) {
   std::mt19937 random(1);
-  for (int n = 0; n < 150 && !testing::Test::HasFailure(); ++n) {
+  for (int n = 0; n < 120 && !testing::Test::HasFailure(); ++n) {
     const Planes picture = any_picture(random);
     const BestOptions options = any_options(random);
     SCOPED_TRACE(std::to_string(n) + ": " + text_of(options, picture));

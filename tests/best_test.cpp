@@ -54,8 +54,9 @@ TEST(Best, TheSameInputGivesTheSameLut) {
       BestOptions options;
       options.goal = goal;
       const BestChoice choice = best_for(planes, options);
-      EXPECT_EQ(best_for(planes, options).lut, choice.lut) << name;
-      EXPECT_EQ(best_for(planes, options).error, choice.error) << name;
+      const BestChoice again = best_for(planes, options);
+      EXPECT_EQ(again.lut, choice.lut) << name;
+      EXPECT_EQ(again.error, choice.error) << name;
       // A colour counts, not its place.
       Planes turned = planes;
       for (auto& plane : turned.channel) std::reverse(plane.begin(), plane.end());
@@ -149,7 +150,7 @@ TEST(Best, IsBetterOnAFinerDac) {
   for (const auto& [name, planes] : small_pictures())
     for (const Goal goal : kGoals) {
       double before = std::numeric_limits<double>::infinity();
-      for (const int bits : {1, 2, 4, 6}) {
+      for (const int bits : {1, 3, 6}) {
         BestOptions options;
         options.goal = goal;
         options.dac = {{bits, bits, bits}};

@@ -161,7 +161,7 @@ void expect_points(const WeightedColours& colours, Goal goal, std::size_t limit)
 TEST(ColourPoints, KeepWeightMeanAndScatter) {
   WeightedColours noise, ball, weighted;
   noise.add(random_planes({100, 80}, 7));
-  ball.add(bench::grainy_balls());
+  ball.add(bench::balls());
   const Planes few = few_colours({60, 60}, 8, 30);
   weighted.add(few, random_importance(few, 9));
   for (const WeightedColours* colours : {&noise, &ball, &weighted})

