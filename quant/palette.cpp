@@ -188,7 +188,7 @@ Palette::Order Palette::order() const {
   return order;
 }
 
-float Palette::second(const ColourPoint& point, std::size_t entry) const {
+SIR_CLONES float Palette::second(const ColourPoint& point, std::size_t entry) const {
   const Around& around = around_[entry];
   Differences difference = differences(point, around);
   difference[around.own] = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());

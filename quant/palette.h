@@ -70,6 +70,10 @@ class Palette {
   /// Returns their number; 0 means that no more can be gained.
   std::size_t nudge(std::size_t tries);
 
+  /// On a coarse lattice entries fall together. This puts those without points at the codes that
+  /// are no entry's and gain most. The palette must be held. Returns how many were moved.
+  std::size_t fill();
+
   /// What the points of each entry would cost more without it.
   std::vector<double> missed() const;
 

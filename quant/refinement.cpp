@@ -65,8 +65,8 @@ void Refinement::swaps(Palette& palette) {
   }
 }
 
-// Entries without colours go where they help: a LUT to start from may repeat its last one, and
-// on a coarse lattice entries fall together. Each round may double those that are used.
+// Entries without colours go where they help: a LUT to start from may repeat its last one. Each
+// round may double those that are used.
 void Refinement::spend_spare(Palette& palette) {
   while (!stopped()) {
     std::size_t spare = 0;
@@ -74,6 +74,12 @@ void Refinement::spend_spare(Palette& palette) {
       spare += palette.rule(i).free() && palette.sum(i).points == 0;
     if (spare == 0 || palette.swap(spare, effort_.worth) == 0) break;
   }
+}
+
+// Steps may bring entries together again, so more than once.
+void Refinement::fill(Palette& palette) {
+  constexpr int kMost = 3;
+  for (int i = 0; i < kMost && !stopped() && palette.fill() > 0; ++i) lloyd(palette);
 }
 
 void Refinement::free(Palette& palette) {
@@ -85,13 +91,14 @@ void Refinement::free(Palette& palette) {
 
 void Refinement::held(Palette& palette) {
   lloyd(palette);
-  spend_spare(palette);
+  fill(palette);
   if (effort_.swaps_on_lattice) swaps(palette);
   for (int i = 0; i < effort_.nudges && !stopped(); ++i) {
     const std::size_t moved = palette.nudge(effort_.tries);
     tell(0.05);
     if (moved == 0) break;
   }
+  fill(palette);
   lloyd(palette);
 }
 

@@ -39,6 +39,7 @@ class Refinement {
   void lloyd(Palette& palette);
   void swaps(Palette& palette);
   void spend_spare(Palette& palette);
+  void fill(Palette& palette);
 
   const Effort& effort_;
   ProgressTo progress_;

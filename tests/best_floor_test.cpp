@@ -195,5 +195,20 @@ TEST(BestFloor, OfOneColourAndTinyPictures) {
         }
 }
 
+// On a coarse lattice many groups of colours have one code: the entries that this spares are used.
+TEST(BestFloor, EveryEntryIsUsedOnACoarseLattice) {
+  const Planes noise = random_planes({120, 90}, 5);  // all 4096 lattice colours of 4,4,4
+  for (const Goal goal : kGoals)
+    for (const int effort : {2, 3}) {
+      BestOptions options;
+      options.goal = goal;
+      options.effort = effort;
+      options.dac = {{4, 4, 4}};
+      WeightedColours colours;
+      colours.add(noise);
+      EXPECT_EQ(choose_best(colours, options).entries, kLutEntries);
+    }
+}
+
 }  // namespace
 }  // namespace sir::test
