@@ -17,20 +17,4 @@ FormSum& FormSum::operator+=(const FormSum& other) {
   return *this;
 }
 
-FormSum FormSum::operator-(const FormSum& other) const {
-  FormSum less = *this;
-  less.points -= other.points;
-  less.weight -= other.weight;
-  less.xx -= other.xx;
-  less.yy -= other.yy;
-  less.zz -= other.zz;
-  less.yz -= other.yz;
-  less.x -= other.x;
-  less.y -= other.y;
-  less.z -= other.z;
-  less.rest -= other.rest;
-  less.bytes -= other.bytes;
-  return less;
-}
-
 }  // namespace sir::quant

@@ -29,7 +29,6 @@ struct FormSum {
   }
 
   FormSum& operator+=(const FormSum& other);
-  FormSum operator-(const FormSum& other) const;
 
   /// The cost of an entry; never below 0.
   double cost(const glm::dvec3& entry) const {

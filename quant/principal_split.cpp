@@ -13,7 +13,7 @@
 namespace sir::quant {
 namespace {
 
-constexpr std::size_t kBins = 128;
+constexpr std::size_t kMostBins = 128;
 
 // R with R^T R = the mean form: lengths after R are differences under it.
 glm::dmat3 whitening(const FormSum& sum) {
@@ -81,22 +81,24 @@ PrincipalSplit principal_split(std::span<const ColourPoint> points,
     high = std::max(high, along);
   }
   if (!(high > low)) return split;
-  const float scale = static_cast<float>(kBins) / (high - low);
-  std::array<FormSum, kBins> bins{};
+  const std::size_t count = std::min(group.size(), kMostBins);
+  const float scale = static_cast<float>(count) / (high - low);
+  std::vector<FormSum> bins(count);
   for (const std::uint32_t i : group) {
     const float along = glm::dot(split.axis, points[i].at);
-    bins[std::min(static_cast<std::size_t>((along - low) * scale), kBins - 1)].add(points[i]);
+    bins[std::min(static_cast<std::size_t>((along - low) * scale), count - 1)].add(points[i]);
   }
 
+  // Summed from both ends: a difference of sums would lose the digits of a few light points.
+  std::vector<FormSum> above(bins);
+  for (std::size_t bin = count - 1; bin-- > 0;) above[bin] += above[bin + 1];
   const double together = sum.least();
   FormSum below;
-  for (std::size_t bin = 0; bin + 1 < kBins; ++bin) {
-    if (bins[bin].weight == 0) continue;
+  for (std::size_t bin = 0; bin + 1 < count; ++bin) {
+    if (bins[bin].points == 0) continue;
     below += bins[bin];
-    FormSum above;
-    above = sum - below;
-    if (above.weight <= 1e-9 * sum.weight) break;
-    const double gain = together - below.least() - above.least();
+    if (above[bin + 1].points == 0) break;
+    const double gain = together - below.least() - above[bin + 1].least();
     if (gain > split.gain) {
       split.gain = gain;
       split.threshold = low + static_cast<float>(bin + 1) / scale;

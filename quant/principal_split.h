@@ -26,7 +26,7 @@ using Group = std::span<std::uint32_t>;
 FormSum sum_of(std::span<const ColourPoint> points, std::span<const std::uint32_t> group);
 
 /// The axis along which the points spread most, seen through their mean form, and the threshold
-/// out of some hundred, evenly spaced, that gains most.
+/// out of some hundred at most, evenly spaced, that gains most.
 PrincipalSplit principal_split(std::span<const ColourPoint> points,
                                std::span<const std::uint32_t> group, const FormSum& sum);
 

@@ -19,7 +19,7 @@ struct Refinement::Effort {
 
 const Refinement::Effort Refinement::kEfforts[] = {{8192, 4, 1e-2, 0, 1, 0, 0, false},
                                                    {16384, 6, 2e-3, 4, 1, 6, 4, false},
-                                                   {80000, 10, 1e-3, 16, 0.7, 16, 8, false},
+                                                   {80000, 8, 1e-3, 12, 0.7, 12, 8, false},
                                                    {150000, 20, 1e-4, 40, 0.5, 40, 12, true},
                                                    {500000, 60, 1e-6, 200, 0.4, 200, 26, true}};
 
