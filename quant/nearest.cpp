@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "quant/colour_memory.h"
 #include "quant/inverse_map.h"
 
 namespace sir::quant {
@@ -50,24 +51,6 @@ constexpr std::uint32_t ranked(int r, int g, int b, std::uint8_t index) {
   return static_cast<std::uint32_t>(square(r) + square(g) + square(b)) << 8 | index;
 }
 
-/// Answers already given, one for each hash of the colour. Renders and
-/// drawings repeat their colours, so most pixels end here.
-class Memory {
- public:
-  Memory() : slots_(std::size_t{1} << kBits) {}
-
-  struct Slot {
-    std::uint32_t colour = kNone;
-    std::uint8_t index = 0;
-  };
-  Slot& slot(std::uint32_t colour) { return slots_[colour * 0x9E3779B1u >> (32 - kBits)]; }
-
- private:
-  static constexpr int kBits = 14;
-  static constexpr std::uint32_t kNone = 0xFFFFFFFF;  // no colour of 24 bits
-  std::vector<Slot> slots_;
-};
-
 }  // namespace
 
 std::uint8_t nearest_entry(Rgb8 colour, const Lut& lut, const IndexSet& reserved) {
@@ -91,15 +74,8 @@ std::vector<std::uint8_t> map_to_lut(const Planes& image, const Lut& lut, Mappin
     return indices;
   }
   NearestSearch search(lut, reserved);
-  Memory memory;
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    const Rgb8 colour = image.at(i);
-    const std::uint32_t key =
-        std::uint32_t{colour.r} << 16 | std::uint32_t{colour.g} << 8 | colour.b;
-    Memory::Slot& slot = memory.slot(key);
-    if (slot.colour != key) slot = {key, search(colour)};
-    indices[i] = slot.index;
-  }
+  ColourMemory memory;
+  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = memory(image.at(i), search);
   return indices;
 }
 

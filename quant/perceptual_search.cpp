@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "quant/colour_memory.h"
 #include "quant/image_pair.h"
 
 namespace sir::quant {
@@ -76,20 +77,9 @@ std::size_t PerceptualSearch::from_afar(Rgb8 colour) const {
 std::vector<std::uint8_t> map_perceptually(const Planes& image, const Lut& lut,
                                            const IndexSet& reserved) {
   PerceptualSearch search(lut, reserved);
-  constexpr int kBits = 16;  // answers remembered, one for each hash of a colour
-  struct Known {
-    std::uint32_t colour = 0xFFFFFFFF;
-    std::uint8_t index = 0;
-  };
-  std::vector<Known> known(std::size_t{1} << kBits);
+  ColourMemory memory;
   std::vector<std::uint8_t> indices(image.size.pixels());
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    const Rgb8 colour = image.at(i);
-    const std::uint32_t key = packed(colour);
-    Known& slot = known[key * 0x9E3779B1u >> (32 - kBits)];
-    if (slot.colour != key) slot = {key, search(colour)};
-    indices[i] = slot.index;
-  }
+  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = memory(image.at(i), search);
   return indices;
 }
 
