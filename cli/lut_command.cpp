@@ -158,8 +158,8 @@ std::string as_text(const std::filesystem::path& output, const Chosen& chosen,
     text +=
         options.best->options.goal == quant::Goal::perceptual
             ? fmt::format(
-                  "error: at most {:.2f} (CIEDE2000, root of the mean square) under "
-                  "--map perceptual\n",
+                  "error: {:.2f} by CIEDE2000's form for small differences (root of the mean "
+                  "square)\n",
                   *chosen.error)
             : fmt::format(
                   "error: at most {:.2f} levels (root of the mean square of a colour's distance)\n",

@@ -32,9 +32,11 @@ struct BestOptions {
 
 struct BestChoice {
   Lut lut;
-  std::size_t entries = 0;     ///< in use, the pins among them
-  double error = 0;            ///< root of the mean squared difference of a pixel and its entry;
-                               ///< at most: colours taken together count as going to one entry
+  std::size_t entries = 0;  ///< in use, the pins among them
+  /// Root of the mean squared difference of a pixel and its entry, by ColourMeasure: of CIEDE2000
+  /// its local form, which far from the entries is often less than CIEDE2000 itself. At most:
+  /// colours taken together count as going to one entry.
+  double error = 0;
   std::vector<int> lost_hues;  ///< planes that protect_hues could not give an entry
 };
 

@@ -1,5 +1,7 @@
 #include "quant/perceptual_search.h"
 
+#include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -27,6 +29,16 @@ std::uint8_t perceptually_nearest(Rgb8 colour, const Lut& lut, ColourMeasure& me
       found = i;
     }
   }
+  if (least <= kFormHolds) return static_cast<std::uint8_t>(found);
+  const Lab own = lab_of(colour);
+  double afar = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < kLutEntries; ++i) {
+    if (reserved[i]) continue;
+    if (const double one = ciede2000(own, lab_of(lut.seen(i))); one < afar) {
+      afar = one;
+      found = i;
+    }
+  }
   return static_cast<std::uint8_t>(found);
 }
 
@@ -38,9 +50,27 @@ PerceptualSearch::PerceptualSearch(const Lut& lut, const IndexSet& reserved)
   for (std::size_t i = 0; i < kLutEntries; ++i) {
     if (reserved[i] || !known.insert(packed(lut.seen(i))).second) continue;
     points.push_back(measure_.point_of(lut.seen(i)));
+    labs_.push_back(lab_of(lut.seen(i)));
     indices_.push_back(static_cast<std::uint8_t>(i));
   }
   search_.emplace(points);
+}
+
+// A colour differs by its lightness at least, which CIEDE2000 divides by 1.747 at most (S_L at
+// black and white): most entries need no more than that.
+std::size_t PerceptualSearch::from_afar(Rgb8 colour) const {
+  constexpr double kMostDivided = 1.75;
+  const Lab own = lab_of(colour);
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t found = 0;
+  for (std::size_t place = 0; place < labs_.size(); ++place) {
+    if (std::abs(own.l - labs_[place].l) >= kMostDivided * least) continue;
+    if (const double one = ciede2000(own, labs_[place]); one < least) {
+      least = one;
+      found = place;
+    }
+  }
+  return found;
 }
 
 std::vector<std::uint8_t> map_perceptually(const Planes& image, const Lut& lut,
