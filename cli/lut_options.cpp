@@ -108,11 +108,12 @@ void check(const LutOptions& options) {
   if (!masks.empty() && masks.size() != options.inputs.size())
     throw CLI::ValidationError("--mask", "is needed once for each image, in their order");
   quant::BestOptions best = options.best->options;
+  if (best.reserved.all()) throw CLI::ValidationError("--reserve", "leaves no entry to the image");
   if (options.best->from) best.dac = {{8, 8, 8}};  // which it is, is known once it is read
   try {
     (void)quant::places_of(best);
   } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("lut", error.what());
+    throw CLI::ValidationError("--entries, --pin, --reserve", error.what());
   }
 }
 

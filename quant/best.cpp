@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -40,6 +39,10 @@ class Choice {
     else if (options_.protect_hues) choice.lost_hues = lost_to_pins();
     choice.lut = placed(codes, places_, options_);
     choice.entries = codes.size();
+    // Those of a LUT to start from may be the same, as where its last one is repeated.
+    if (options_.from)
+      choice.entries =
+          std::max(std::set<DacCode>(codes.begin(), codes.end()).size(), options_.pins.size());
     choice.error = error_of(codes);
     return choice;
   }

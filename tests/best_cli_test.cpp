@@ -62,7 +62,7 @@ TEST_F(BestCommand, WrongOptionsAreWrongUsage) {
            {{"--bits", "0,6,6"}, "--bits"},
            {{"--bits", "9,6,6"}, "--bits"},
            {{"--reserve", "0-256"}, "--reserve"},
-           {{"--reserve", "0-255"}, "0 indices"},
+           {{"--reserve", "0-255"}, "leaves no entry"},
            {{"--reserve", "0-15", "--entries", "241"}, "240 indices"},
            {{"--pin", "64,0,0"}, "64,0,0"},
            {{"--pin", "16,0,0", "--bits", "4,4,4"}, "16,0,0"},
@@ -230,6 +230,17 @@ TEST_F(BestCommand, StartsFromALutAndDoesNotOverwriteIt) {
   folder.write("bad.LUT", "1 2\n");
   expect_failure(best({"b.png"}, {"--from", "bad.LUT"}), "bad.LUT:1");
   expect_failure(best({"b.png"}, {"--from", "none.LUT"}), "none.LUT");
+}
+
+TEST_F(BestCommand, SaysWhichOptionsDoNotGoTogether) {
+  write("a.png", random_planes({4, 4}, 1));
+  const Ended none_left = best({"a.png"}, {"--reserve", "0-255"});
+  EXPECT_EQ(none_left.exit_code, 2);
+  EXPECT_THAT(none_left.err, HasSubstr("--reserve: leaves no entry"));
+  const Ended reserved = best({"a.png"}, {"--reserve", "3", "--pin", "3=1,1,1"});
+  EXPECT_EQ(reserved.exit_code, 2);
+  EXPECT_THAT(reserved.err, HasSubstr("--pin"));
+  EXPECT_THAT(reserved.err, HasSubstr("3=1,1,1 is at a reserved index"));
 }
 
 TEST_F(BestCommand, SaysWhichHuesFoundNoEntry) {

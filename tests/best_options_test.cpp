@@ -122,6 +122,15 @@ TEST(BestPins, AloneMakeALut) {
   EXPECT_NEAR(choice.error, error_of(Goal::perceptual, picture, choice.lut), 1e-3);
 }
 
+TEST(BestFrom, CountsARepeatedEntryOnce) {
+  const Planes picture = filled({3, 3}, {40, 90, 200});
+  BestOptions options;
+  options.from = make_lut(std::vector<DacCode>{{1, 2, 3}, {10, 22, 49}, {60, 60, 60}});
+  const BestChoice choice = best_for(picture, options);
+  EXPECT_EQ(choice.entries, std::set(choice.lut.entry.begin(), choice.lut.entry.end()).size());
+  EXPECT_LT(choice.entries, 5u);
+}
+
 TEST(BestReserved, AreLeftToOthers) {
   const Planes picture = slopes({60, 40});
   BestOptions options;

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -90,15 +92,24 @@ inline std::vector<std::uint8_t> mapped_for(quant::Goal goal, const Planes& imag
              : quant::map_to_lut(image, lut, quant::Mapping::exact, reserved);
 }
 
-/// Root of the mean squared difference of pixels and their entries under the goal's mapping.
+/// Root of the mean squared difference of pixels and their entries, each pixel taking the one of
+/// least difference by the goal's measure. (Mapping by the eye does so near the entries.)
 inline double error_of(quant::Goal goal, const Planes& image, const quant::Lut& lut,
                        const quant::IndexSet& reserved = {}) {
-  const auto indices = mapped_for(goal, image, lut, reserved);
+  std::set<quant::DacCode> codes;
+  for (std::size_t i = 0; i < quant::kLutEntries; ++i)
+    if (!reserved[i]) codes.insert(lut.entry[i]);
   quant::ColourMeasure measure(goal);
-  double sum = 0;
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    sum += double{measure.difference(image.at(i), lut.seen(indices[i]))};
-  return std::sqrt(sum / static_cast<double>(indices.size()));
+  double sum = 0, weight = 0;
+  const quant::WeightedColours colours = colours_of(image);
+  for (const quant::WeightedColour& one : colours.all()) {
+    float least = std::numeric_limits<float>::infinity();
+    for (const quant::DacCode& code : codes)
+      least = std::min(least, measure.difference(one.colour, quant::seen(code, lut.dac)));
+    sum += one.weight * double{least};
+    weight += one.weight;
+  }
+  return std::sqrt(sum / weight);
 }
 
 inline const char* name_of(quant::Goal goal) {
