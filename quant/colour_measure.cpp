@@ -20,9 +20,12 @@ std::size_t cube_of(Rgb8 colour) {
          (std::size_t{colour.g} >> kCubeBits) << kSideBits | std::size_t{colour.b} >> kCubeBits;
 }
 
-double cube_centre(std::uint8_t byte) {
+Rgb cube_centre(Rgb8 colour) {
   constexpr int kSide = 1 << kCubeBits;
-  return (byte / kSide * kSide + 0.5 * (kSide - 1)) / 255;
+  const auto centre = [](std::uint8_t byte) {
+    return (byte / kSide * kSide + 0.5 * (kSide - 1)) / 255;
+  };
+  return {centre(colour.r), centre(colour.g), centre(colour.b)};
 }
 
 // What a byte of each primary adds to X, Y and Z over those of white.
@@ -117,8 +120,7 @@ Form ColourMeasure::form_of(Rgb8 colour) {
   std::uint32_t& form = form_of_cube_[cube_of(colour)];
   if (form == 0) {
     form = static_cast<std::uint32_t>(forms_.size());
-    forms_.push_back(local_ciede2000(
-        lab_of(Rgb{cube_centre(colour.r), cube_centre(colour.g), cube_centre(colour.b)})));
+    forms_.push_back(local_ciede2000(lab_of(cube_centre(colour))));
   }
   return forms_[form];
 }

@@ -1,8 +1,11 @@
 #include "quant/perceptual_search.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -16,7 +19,36 @@ void require_any(const IndexSet& reserved) {
   if (reserved.all()) throw std::invalid_argument("all entries are reserved");
 }
 
+// The place of the entry that is nearest to a colour which is far from all.
+std::size_t nearest_from_afar(const Lab& own, std::span<const Lab> entries) {
+  std::array<double, kLutEntries> differences;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    differences[i] = afar(own, entries[i]);
+    least = std::min(least, differences[i]);
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (differences[i] > kOutOfQuestion * least) continue;
+    if (const double one = ciede2000(own, entries[i]); one < nearest) {
+      nearest = one;
+      found = i;
+    }
+  }
+  return found;
+}
+
 }  // namespace
+
+double afar(const Lab& a, const Lab& b) {
+  const double chroma_a = std::hypot(a.a, a.b), chroma_b = std::hypot(b.a, b.b);
+  const double chroma = std::sqrt(chroma_a * chroma_b);
+  const double dl = a.l - b.l, dc = chroma_a - chroma_b, da = a.a - b.a, db = a.b - b.b;
+  const double hue = std::max(da * da + db * db - dc * dc, 0.0);
+  const double sc = 1 + 0.045 * chroma, sh = 1 + 0.015 * chroma;
+  return dl * dl + dc * dc / (sc * sc) + hue / (sh * sh);
+}
 
 std::uint8_t perceptually_nearest(Rgb8 colour, const Lut& lut, ColourMeasure& measure,
                                   const IndexSet& reserved) {
@@ -31,16 +63,21 @@ std::uint8_t perceptually_nearest(Rgb8 colour, const Lut& lut, ColourMeasure& me
     }
   }
   if (least <= kFormHolds) return static_cast<std::uint8_t>(found);
-  const Lab own = lab_of(colour);
-  double afar = std::numeric_limits<double>::infinity();
+  std::vector<Lab> labs;
+  std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < kLutEntries; ++i) {
     if (reserved[i]) continue;
-    if (const double one = ciede2000(own, lab_of(lut.seen(i))); one < afar) {
-      afar = one;
-      found = i;
-    }
+    labs.push_back(lab_of(lut.seen(i)));
+    indices.push_back(i);
   }
+  found = indices[nearest_from_afar(lab_of(colour), labs)];
   return static_cast<std::uint8_t>(found);
+}
+
+std::uint8_t PerceptualSearch::operator()(Rgb8 colour) {
+  const auto found = search_->nearest(measure_.point_of(colour), measure_.form_of(colour));
+  if (found.difference <= kFormHolds) return indices_[found.index];
+  return indices_[nearest_from_afar(lab_of(colour), labs_)];
 }
 
 PerceptualSearch::PerceptualSearch(const Lut& lut, const IndexSet& reserved)
@@ -55,23 +92,6 @@ PerceptualSearch::PerceptualSearch(const Lut& lut, const IndexSet& reserved)
     indices_.push_back(static_cast<std::uint8_t>(i));
   }
   search_.emplace(points);
-}
-
-// A colour differs by its lightness at least, which CIEDE2000 divides by 1.747 at most (S_L at
-// black and white): most entries need no more than that.
-std::size_t PerceptualSearch::from_afar(Rgb8 colour) const {
-  constexpr double kMostDivided = 1.75;
-  const Lab own = lab_of(colour);
-  double least = std::numeric_limits<double>::infinity();
-  std::size_t found = 0;
-  for (std::size_t place = 0; place < labs_.size(); ++place) {
-    if (std::abs(own.l - labs_[place].l) >= kMostDivided * least) continue;
-    if (const double one = ciede2000(own, labs_[place]); one < least) {
-      least = one;
-      found = place;
-    }
-  }
-  return found;
 }
 
 std::vector<std::uint8_t> map_perceptually(const Planes& image, const Lut& lut,

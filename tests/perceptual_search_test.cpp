@@ -59,7 +59,13 @@ int by_definition(Rgb8 colour, const Lut& lut, ColourMeasure& measure, const Ind
       least_by([&](Rgb8 entry) { return double{measure.difference(colour, entry)}; });
   if (difference <= double{kFormHolds}) return near;
   const Lab own = lab_of(colour);
-  return least_by([&](Rgb8 entry) { return ciede2000(own, lab_of(entry)); }).first;
+  const double limit =
+      kOutOfQuestion * least_by([&](Rgb8 entry) { return afar(own, lab_of(entry)); }).second;
+  return least_by([&](Rgb8 entry) {
+           const Lab other = lab_of(entry);
+           return afar(own, other) > limit ? 1e9 : ciede2000(own, other);
+         })
+      .first;
 }
 
 void expect_same(const Lut& lut, std::mt19937& random, int colours, const IndexSet& reserved = {}) {
