@@ -1,7 +1,9 @@
 #include "cli/lut_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 #include <string>
@@ -96,6 +98,19 @@ std::vector<std::uint8_t> load_mask(const std::filesystem::path& file, const Pla
   return std::move(mask.channel[0]);
 }
 
+// Planes of the HSV grid that no entry is left for.
+std::string lost_hues_text(std::vector<int> planes) {
+  constexpr int kGrey = 36;  // the last
+  std::sort(planes.begin(), planes.end());
+  const bool grey = planes.back() == kGrey;
+  if (grey) planes.pop_back();
+  for (int& plane : planes) plane *= 10;
+  std::string text = "no entry is left for ";
+  if (!planes.empty()) text += fmt::format("the hue of {} degrees", fmt::join(planes, ", "));
+  if (grey) text += planes.empty() ? "grey" : " and for grey";
+  return text;
+}
+
 Chosen choose_best(const LutOptions& options, const Session& session) {
   const BestCommand& command = *options.best;
   Chosen chosen;
@@ -131,9 +146,7 @@ Chosen choose_best(const LutOptions& options, const Session& session) {
   chosen.lut = choice.lut;
   chosen.entries = choice.entries;
   chosen.error = choice.error;
-  for (const int hue : choice.lost_hues)
-    note(session, hue < 36 ? fmt::format("no entry is left for the hue of {} degrees", 10 * hue)
-                           : "no entry is left for grey");
+  if (!choice.lost_hues.empty()) note(session, lost_hues_text(choice.lost_hues));
   return chosen;
 }
 
