@@ -247,7 +247,7 @@ std::vector<std::pair<std::string, std::vector<DacCode>>> misleading_luts() {
   std::vector<std::pair<std::string, std::vector<DacCode>>> luts;
   const auto code = [](int r, int g, int b) {
     return DacCode{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
-                 static_cast<std::uint8_t>(b)};
+                   static_cast<std::uint8_t>(b)};
   };
   luts.push_back({"all equal", std::vector<DacCode>(256, code(31, 32, 33))});
   luts.push_back({"black and white", {code(0, 0, 0), code(63, 63, 63)}});
