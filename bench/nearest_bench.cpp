@@ -11,8 +11,10 @@
 
 #include "bench/made_up.h"
 #include "bench/timing.h"
+#include "quant/best.h"
 #include "quant/choose.h"
 #include "quant/nearest.h"
+#include "quant/perceptual_search.h"
 #include "quant/psnr.h"
 #include "quant/shown_through.h"
 #include "tracer/planes.h"
@@ -67,6 +69,30 @@ bool compare(const Picture& picture) {
   return equal;
 }
 
+/// The same by the eye; a few pairs, as the definition takes seconds.
+bool compare_by_eye(const Picture& picture) {
+  constexpr int kFewPairs = 3;
+  sir::quant::WeightedColours colours;
+  colours.add(picture.planes);
+  const Lut lut = sir::quant::choose_best(colours).lut;
+  std::vector<double> plain, fast, ratio;
+  bool equal = true;
+  for (int pair = 0; pair < kFewPairs; ++pair) {
+    std::vector<std::uint8_t> a(picture.planes.size.pixels()), b;
+    sir::quant::ColourMeasure measure(sir::quant::Goal::perceptual);
+    plain.push_back(milliseconds([&] {
+      for (std::size_t i = 0; i < a.size(); ++i)
+        a[i] = sir::quant::perceptually_nearest(picture.planes.at(i), lut, measure);
+    }));
+    fast.push_back(milliseconds([&] { b = sir::quant::map_perceptually(picture.planes, lut); }));
+    ratio.push_back(plain.back() / fast.back());
+    equal = equal && a == b;
+  }
+  std::printf("%-16s by the eye %8.2f ms   fast %7.2f ms   ratio %6.1f%s\n", "", median(plain),
+              median(fast), median(ratio), equal ? "" : "   DIFFERENT");
+  return equal;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) try {
@@ -78,7 +104,8 @@ int main(int count, char** arguments) try {
                 {"grainy balls", sir::bench::grainy_balls()},
                 {"noise", sir::bench::noise()}};
   bool equal = true;
-  for (const Picture& picture : pictures) equal = compare(picture) && equal;
+  for (const Picture& picture : pictures)
+    equal = compare(picture) && compare_by_eye(picture) && equal;
   return equal ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "nearest_bench: %s\n", error.what());
