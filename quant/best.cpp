@@ -98,15 +98,20 @@ class Choice {
     return {best.begin(), best.end()};
   }
 
-  // Pins first, then entries at these codes; points with the nearest of them.
-  Palette at_codes(std::vector<DacCode> codes) {
-    const std::size_t pins = options_.pins.size();
-    for (std::size_t i = 0; i < pins; ++i)
-      codes.insert(codes.begin() + static_cast<std::ptrdiff_t>(i), options_.pins[i].code);
+  SweepSearch search_among(std::span<const DacCode> codes) {
     std::vector<glm::vec3> entries;
     for (const DacCode& code : codes)
       entries.push_back(measure_.point_of(seen(code, options_.dac)));
-    const SweepSearch search(entries);
+    return SweepSearch(entries);
+  }
+
+  // Pins first, then entries at these codes; points with the nearest of them.
+  Palette at_codes(std::vector<DacCode> codes) {
+    const std::size_t pins = options_.pins.size();
+    std::vector<DacCode> pinned;
+    for (const Pin& pin : options_.pins) pinned.push_back(pin.code);
+    codes.insert(codes.begin(), pinned.begin(), pinned.end());
+    const SweepSearch search = search_among(codes);
     Groups groups;
     groups.sums.resize(codes.size());
     for (const ColourPoint& point : points_.all) {
@@ -166,10 +171,7 @@ class Choice {
   }
 
   double error_of(std::span<const DacCode> codes) {
-    std::vector<glm::vec3> entries;
-    for (const DacCode& code : codes)
-      entries.push_back(measure_.point_of(seen(code, options_.dac)));
-    const SweepSearch search(entries);
+    const SweepSearch search = search_among(codes);
     double sum = points_.scatter, weight = 0;
     for (std::size_t i = 0; i < points_.all.size(); ++i) {
       const ColourPoint& point = points_.all[i];

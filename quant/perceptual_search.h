@@ -19,10 +19,10 @@ namespace sir::quant {
 /// among greys, so that a dark brown would be nearer than a yellow.
 inline constexpr float kFormHolds = 10 * 10;
 
-/// Of two squared differences from afar: half as far again, about.
+/// Of two squared differences from afar: 1.4 times as far.
 inline constexpr double kOutOfQuestion = 2;
 
-/// CIE94 (CIE 116-1995) with the geometric mean of both chromas, squared: a tenth of the time of
+/// CIE94 (CIE 116-1995) with the geometric mean of both chromas, squared: a fraction of the time of
 /// CIEDE2000, and of the same mind about which colours are out of question.
 double afar(const Lab& a, const Lab& b);
 
