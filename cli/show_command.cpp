@@ -6,11 +6,11 @@
 
 #include "cli/image_input.h"
 #include "cli/interrupt.h"
-#include "cli/map_image.h"
 #include "cli/output_path.h"
 #include "eltek/display_driver.h"
 #include "quant/choose.h"
 #include "quant/dac_parse.h"
+#include "quant/map_image.h"
 #include "tracer/atomic_file.h"
 #include "tracer/error.h"
 #include "tracer/scene_path.h"
@@ -56,7 +56,7 @@ viewer::ShownImage prepare(const std::filesystem::path& input, const ShowOptions
     note(session, input.string() + ": shown through a DAC of " + quant::bits_text(image.lut.dac) +
                       " bits, which the MA120 did not have");
   image.reserved = options.map.reserved;
-  image.indices = map_image(planes, image.lut, options.map);
+  image.indices = quant::map_image(planes, image.lut, options.map);
   return image;
 }
 

@@ -1,7 +1,7 @@
 #include "cli/cost/lut_work.h"
 
-#include "cli/map_image.h"
 #include "quant/colour_points.h"
+#include "quant/map_image.h"
 #include "quant/nearest.h"
 
 namespace sir::cli {
@@ -34,8 +34,9 @@ std::vector<std::uint8_t> mapped_by(const LutMapping& mapping, const Planes& ima
   switch (mapping.search) {
     case Search::approximate: return quant::map_to_lut(image, lut, quant::Mapping::approximate);
     case Search::exhaustive: return quant::map_exhaustively(image, lut);
-    case Search::exact: return map_image(image, lut, {quant::Goal::psnr, {}, mapping.dither});
-    default: return map_image(image, lut, {quant::Goal::perceptual, {}, mapping.dither});
+    case Search::exact:
+      return quant::map_image(image, lut, {quant::Goal::psnr, {}, mapping.dither});
+    default: return quant::map_image(image, lut, {quant::Goal::perceptual, {}, mapping.dither});
   }
 }
 

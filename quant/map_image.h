@@ -10,17 +10,17 @@
 #include "quant/lut.h"
 #include "tracer/planes.h"
 
-namespace sir::cli {
+namespace sir::quant {
 
 struct MapOptions {
-  quant::Goal by = quant::Goal::psnr;  ///< what "nearest" means: by the bytes, or by the eye
-  quant::IndexSet reserved;            ///< entries that no pixel takes; not all
-  quant::Dither dither = quant::Dither::none;
+  Goal by = Goal::psnr;  ///< what "nearest" means: by the bytes, or by the eye
+  IndexSet reserved;     ///< entries that no pixel takes; not all
+  Dither dither = Dither::none;
 };
 
 /// LUT indices, one a pixel, rows from the top. By default each is the nearest entry's
-/// (quant::map_to_lut); by the eye that of quant::perceptually_nearest.
-std::vector<std::uint8_t> map_image(const Planes& planes, const quant::Lut& lut,
+/// (map_to_lut); by the eye that of perceptually_nearest.
+std::vector<std::uint8_t> map_image(const Planes& planes, const Lut& lut,
                                     const MapOptions& options);
 
-}  // namespace sir::cli
+}  // namespace sir::quant

@@ -1,0 +1,47 @@
+#include "cli/show_options.h"
+
+#include <memory>
+#include <string>
+
+#include "cli/option_values.h"
+#include "cli/show_command.h"
+
+namespace sir::cli {
+
+void add_show(CLI::App& app, Action& action) {
+  auto* sub = app.add_subcommand("show", "Show images on the MA120's screen");
+  const auto options = std::make_shared<ShowOptions>();
+  sub->add_option("IMAGE", options->inputs, "BASE (planes) or FILE.png; several in a window")
+      ->required();
+  sub->add_option("--lut", options->lut, "the LUT (BASE.LUT, else median in hsv)")
+      ->type_name("FILE");
+  sub->add_option("--png", options->png, "write the screen as indexed PNG, open no window")
+      ->type_name("OUT.png");
+  sub->add_flag("--crop", options->crop, "the image's area alone; also admits larger images");
+  add_parsed(sub, "--reserve", options->map.reserved, quant::parse_indices,
+             {"LIST", "a list of LUT entries from 0 to 255, such as 0-15,255"},
+             "entries that no pixel takes, nor the screen around the image; such as 0-15,255");
+  add_size(sub, options->size, "size of the planes (640x480)");
+  add_choice(sub, "--dither", options->map.dither,
+             {{"none", quant::Dither::none},
+              {"floyd", quant::Dither::floyd},
+              {"blue-noise", quant::Dither::blue_noise}},
+             "entries side by side for the colours between them: by error diffusion, or by place, "
+             "for animations (none)");
+  add_choice(sub, "--map", options->map.by,
+             {{"rgb", quant::Goal::psnr}, {"perceptual", quant::Goal::perceptual}},
+             "how colours are compared: by their bytes, or by the eye, for LUTs chosen so (rgb)");
+  // The only one so far; named so that a script may say what it relies on.
+  const auto named = std::make_shared<std::string>();
+  sub->add_option("--monitor", *named, "the monitor (ideal)")->check(CLI::IsMember({"ideal"}));
+  sub->callback([&action, options, named] {
+    if (options->png && options->inputs.size() > 1)
+      throw CLI::ValidationError("--png", "takes one image");
+    if (options->map.reserved.all())
+      throw CLI::ValidationError("--reserve", "leaves no entry to the image");
+    for (std::filesystem::path& input : options->inputs) input = given_base(input);
+    action = [options](const Session& session) { return run_show(*options, session); };
+  });
+}
+
+}  // namespace sir::cli
