@@ -19,6 +19,9 @@ bool parse_size(std::string_view text, ImageSize& size);
 /// "X,Y,W,H" with X, Y >= 0 and W, H > 0.
 bool parse_region(std::string_view text, Region& region);
 
+/// Bytes a second: a positive number, with k or M for thousands or millions; at most 1e15.
+bool parse_rate(std::string_view text, double& rate);
+
 /// "none", "adaptive[:THRESHOLD[:LEVELS]]" or "random[:SAMPLES[:SEED]]"; what is left
 /// out has its default.
 bool parse_antialias(std::string_view text, AntialiasOptions& options);

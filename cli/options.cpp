@@ -22,6 +22,7 @@
 #include "cli/planes_command.h"
 #include "cli/probe_command.h"
 #include "cli/render_command.h"
+#include "cli/replay_command.h"
 #include "cli/scene_commands.h"
 #include "cli/session.h"
 #include "cli/show_options.h"
@@ -253,6 +254,7 @@ int run(int argc, char** argv) {
   add_paint(app, action);
   add_cost(app, action);
   add_show(app, action);
+  add_replay(app, action);
   add_metrics(app, action);
   add_table(app, action);
   add_check(app, action);

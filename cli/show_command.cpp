@@ -1,19 +1,26 @@
 #include "cli/show_command.h"
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "cli/image_input.h"
 #include "cli/interrupt.h"
 #include "cli/output_path.h"
 #include "eltek/display_driver.h"
+#include "eltek/trace_recorder.h"
+#include "eltek/trace_text.h"
+#include "eltek/transfer.h"
 #include "quant/choose.h"
 #include "quant/dac_parse.h"
 #include "quant/map_image.h"
 #include "tracer/atomic_file.h"
 #include "tracer/error.h"
 #include "tracer/scene_path.h"
+#include "tracer/text_file.h"
 #include "viewer/png_file.h"
 #include "viewer/screen_view.h"
 #ifdef SIR_WITH_SDL
@@ -42,7 +49,8 @@ viewer::ShownImage prepare(const std::filesystem::path& input, const ShowOptions
   image.base = base_name(input);
   image.size = planes.size;
   if (const auto path = lut_file(options, image.base)) {
-    if (options.png) refuse_same_file(*options.png, *path);
+    for (const auto& output : {options.png, options.trace})
+      if (output) refuse_same_file(*output, *path);
     image.lut = quant::read_lut(*path);
     image.lut_name = path->filename().string();
     detail(session, input.string() + ": shown with " + path->string());
@@ -60,12 +68,55 @@ viewer::ShownImage prepare(const std::filesystem::path& input, const ShowOptions
   return image;
 }
 
+// Before anything is done for it.
+void check_trace(const ShowOptions& options) {
+  if (!options.trace) return;
+  for (const auto& input : options.inputs) refuse_input_file(*options.trace, input);
+  if (options.lut) refuse_same_file(*options.trace, *options.lut);
+  if (options.png && same_place(*options.trace, *options.png))
+    throw FileError(options.trace->string(), 0, "both the trace and the picture would go there");
+}
+
+void save_trace(const ShowOptions& options, const eltek::TraceRecorder& recorder,
+                const Session& session) {
+  if (!options.trace) return;
+  eltek::write_trace(*options.trace, recorder.trace());
+  const std::string records = counted(recorder.trace().records().size(), "record");
+  if (recorder.full())
+    note(session, options.trace->string() + ": holds the session's first " + records +
+                      "; a trace takes no more");
+  else detail(session, "wrote " + options.trace->string() + ", " + records);
+}
+
+// What the display program sends for an image, counted where it is sent.
+void report_transfer(const viewer::ShownImage& image, const ShowOptions& options) {
+  eltek::Ma120 machine(image.lut.dac);
+  eltek::Bus bus(machine);
+  eltek::BusTally tally;
+  bus.add_listener(tally);
+  show_image(bus, {image.base.string(), image.size, image.indices}, image.lut,
+             options.crop ? eltek::Oversize::crop : eltek::Oversize::refuse, image.reserved);
+  const eltek::Transfer transfer{tally.bytes(), options.bus_rate};
+  const std::uint64_t lut =
+      tally.bytes(eltek::Port::lut_write) + tally.bytes(eltek::Port::lut_data);
+  const std::uint64_t pixels = tally.bytes(eltek::Port::pixel);
+  print(
+      fmt::format("{}: {} bytes on the bus: LUT {}, pixels {}, other registers {}\n"
+                  "  at {:.15g} bytes/s {:.4g} s, {:.4g} frames of the screen\n",
+                  image.base.string(), tally.bytes(), lut, pixels, tally.bytes() - lut - pixels,
+                  transfer.rate, transfer.seconds(), transfer.frames()));
+}
+
 int write_png(const ShowOptions& options, const Session& session) {
   const auto& input = options.inputs.front();
   refuse_input_file(*options.png, input);
-  const viewer::ScreenView view({prepare(input, options, session)}, options.crop);
+  viewer::ShownImage image = prepare(input, options, session);
+  if (options.bus_rate > 0) report_transfer(image, options);
+  eltek::TraceRecorder recorder;
+  const viewer::ScreenView view({std::move(image)}, options.crop, &recorder);
   require_picture_name(*options.png);
   viewer::write_indexed_png(*options.png, view.capture());
+  save_trace(options, recorder, session);
   return kDone;
 }
 
@@ -73,10 +124,15 @@ int write_png(const ShowOptions& options, const Session& session) {
 int open_window(const ShowOptions& options, const Session& session) {
   std::vector<viewer::ShownImage> images;
   for (const auto& input : options.inputs) images.push_back(prepare(input, options, session));
+  if (options.bus_rate > 0)
+    for (const viewer::ShownImage& image : images) report_transfer(image, options);
+  eltek::TraceRecorder recorder;
   viewer::WindowOptions window;
+  if (options.trace) window.bus_listener = &recorder;
   window.image_area_only = options.crop;
   window.report = [&session](const std::string& text) { note(session, text); };
   viewer::Window(std::move(images), std::move(window)).run(interruption());
+  save_trace(options, recorder, session);
   return interrupted() ? kInterrupted : kDone;
 }
 #else
@@ -88,6 +144,7 @@ int open_window(const ShowOptions&, const Session&) {
 }  // namespace
 
 int run_show(const ShowOptions& options, const Session& session) {
+  check_trace(options);
   return options.png ? write_png(options, session) : open_window(options, session);
 }
 

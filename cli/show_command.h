@@ -16,13 +16,18 @@ struct ShowOptions {
   std::optional<std::filesystem::path> lut;   ///< for all inputs
   std::optional<std::filesystem::path> png;   ///< write this file, open no window; one input
   ImageSize size;                             ///< of planes
-  bool crop = false;                          ///< the image's area alone
-  quant::MapOptions map;                      ///< how pixels become LUT indices
+  /// Write the register trace of the session: with `png` of showing the one image, else of all
+  /// that the window's session does, when it closes (WindowOptions::bus_listener).
+  std::optional<std::filesystem::path> trace;
+  /// > 0: print what each image puts on a bus of so many bytes a second, and how long that takes.
+  double bus_rate = 0;
+  bool crop = false;      ///< the image's area alone
+  quant::MapOptions map;  ///< how pixels become LUT indices
 };
 
 /// Shows the images in a window, or writes the screen with the one image as
-/// an indexed PNG. Without `lut` an image takes BASE.LUT where that exists,
-/// else one is chosen by median in hsv and a note says so. Where a LUT is for
+/// an indexed PNG, and the trace where one is asked for. Without `lut` an image takes BASE.LUT
+/// where that exists, else one is chosen by median in hsv and a note says so. Where a LUT is for
 /// another DAC than the MA120's, that DAC is fitted and a note says so. Returns
 /// an exit code; throws FileError.
 int run_show(const ShowOptions& options, const Session& session);

@@ -17,6 +17,14 @@ void add_show(CLI::App& app, Action& action) {
       ->type_name("FILE");
   sub->add_option("--png", options->png, "write the screen as indexed PNG, open no window")
       ->type_name("OUT.png");
+  sub->add_option("--trace", options->trace,
+                  "write what was done at the MA120's registers, for sir replay")
+      ->type_name("FILE");
+  add_parsed(
+      sub, "--bus", options->bus_rate, parse_rate,
+      {"RATE", "a rate in bytes a second, such as 500k or 1.2M"},
+      "print the bytes that showing each image puts on a bus of so many bytes a second, such "
+      "as 500k or 1.2M, and how long that takes");
   sub->add_flag("--crop", options->crop, "the image's area alone; also admits larger images");
   add_parsed(sub, "--reserve", options->map.reserved, quant::parse_indices,
              {"LIST", "a list of LUT entries from 0 to 255, such as 0-15,255"},

@@ -8,12 +8,14 @@
 
 namespace sir::viewer {
 
-ScreenView::ScreenView(std::vector<ShownImage> images, bool image_area_only)
+ScreenView::ScreenView(std::vector<ShownImage> images, bool image_area_only,
+                       eltek::BusListener* listener)
     : images_(std::move(images)),
       oversize_(image_area_only ? eltek::Oversize::crop : eltek::Oversize::refuse) {
   if (images_.empty()) throw std::invalid_argument("a view needs an image");
   // All are tried at once, so that none is refused in the middle of a show.
   for (const ShownImage& image : images_) eltek::place(image.base.string(), image.size, oversize_);
+  if (listener != nullptr) bus_.add_listener(*listener);
   show(0);
 }
 
@@ -23,12 +25,12 @@ void ScreenView::previous() { show((current_ + images_.size() - 1) % images_.siz
 
 void ScreenView::toggle_plane(int plane) {
   planes_ = static_cast<std::uint8_t>(planes_ ^ (1u << plane));
-  monitor_.lut_ports.write_pixel_mask(planes_);
+  bus_.write(eltek::Port::pixel_mask, planes_);
 }
 
 void ScreenView::all_planes() {
   planes_ = 0xFF;
-  monitor_.lut_ports.write_pixel_mask(planes_);
+  bus_.write(eltek::Port::pixel_mask, planes_);
 }
 
 eltek::Screen ScreenView::picture() const { return crop(monitor_.scan_out(), area_); }
@@ -59,11 +61,11 @@ std::filesystem::path ScreenView::save_capture(const std::filesystem::path& fold
 void ScreenView::show(std::size_t number) {
   current_ = number;
   const ShownImage& shown = images_[number];
-  if (monitor_.dac() != shown.lut.dac) monitor_ = eltek::Ma120(shown.lut.dac);
-  area_ = show_image(monitor_, {shown.base.string(), shown.size, shown.indices}, shown.lut,
-                     oversize_, shown.reserved);
+  if (monitor_.dac() != shown.lut.dac) bus_.power_cycle(shown.lut.dac);
+  area_ = show_image(bus_, {shown.base.string(), shown.size, shown.indices}, shown.lut, oversize_,
+                     shown.reserved);
   if (oversize_ == eltek::Oversize::refuse) area_ = {0, 0, eltek::Ma120::kSize};
-  monitor_.lut_ports.write_pixel_mask(planes_);
+  bus_.write(eltek::Port::pixel_mask, planes_);
 }
 
 }  // namespace sir::viewer

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "eltek/bus.h"
 #include "eltek/display_driver.h"
 #include "eltek/ma120.h"
 #include "quant/index_set.h"
@@ -27,14 +28,19 @@ struct ShownImage {
 
 /// One MA120 with the images that it can show. Switching runs the display
 /// program again, with that image's own LUT; the planes that are switched off
-/// stay off. For a LUT of another DAC that one is fitted first.
+/// stay off. For a LUT of another DAC that one is fitted first. All that is done
+/// to the machine goes through its bus.
 class ScreenView {
  public:
   /// Shows the first image. `image_area_only`: what is seen and saved is the
   /// image's area, and an image larger than the screen is cut to its centre;
   /// without it such an image is refused (FileError). There must be an image,
-  /// else std::invalid_argument.
-  ScreenView(std::vector<ShownImage> images, bool image_area_only);
+  /// else std::invalid_argument. A `listener`, if any, hears all that passes on
+  /// the bus from power-on, and outlives the view.
+  ScreenView(std::vector<ShownImage> images, bool image_area_only,
+             eltek::BusListener* listener = nullptr);
+  ScreenView(const ScreenView&) = delete;
+  ScreenView& operator=(const ScreenView&) = delete;
 
   /// The next and the previous image, round in a circle.
   void next();
@@ -69,6 +75,7 @@ class ScreenView {
   std::size_t current_ = 0;
   std::uint8_t planes_ = 0xFF;
   eltek::Ma120 monitor_;
+  eltek::Bus bus_{monitor_};
   eltek::Area area_;
 };
 

@@ -76,7 +76,8 @@ int digit_of(const SDL_Keysym& key) {
 class Window::Impl {
  public:
   Impl(std::vector<ShownImage> images, WindowOptions options)
-      : options_(std::move(options)), view_(std::move(images), options_.image_area_only) {
+      : options_(std::move(options)),
+        view_(std::move(images), options_.image_area_only, options_.bus_listener) {
     const ImageSize size = view_.picture_size();
     window_.reset(SDL_CreateWindow("", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width,
                                    size.height, SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "eltek/bus_listener.h"
 #include "eltek/screen.h"
 #include "viewer/screen_view.h"
 
@@ -17,6 +18,9 @@ namespace sir::viewer {
 struct WindowOptions {
   bool image_area_only = false;             ///< see ScreenView
   std::filesystem::path screenshots = ".";  ///< folder of the screenshots
+  /// Hears all that the session puts on the MA120's bus, from power-on until the window is
+  /// destroyed, which it outlives; a TraceRecorder, for one. None: nobody does.
+  eltek::BusListener* bus_listener = nullptr;
   /// Told where a screenshot went, or why it went nowhere.
   std::function<void(const std::string&)> report = [](const std::string&) {};
 };
