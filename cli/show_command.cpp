@@ -126,6 +126,7 @@ int open_window(const ShowOptions& options, const Session& session) {
   for (const auto& input : options.inputs) images.push_back(prepare(input, options, session));
   if (options.bus_rate > 0)
     for (const viewer::ShownImage& image : images) report_transfer(image, options);
+  flush_output();  // before the window, not when it is closed
   eltek::TraceRecorder recorder;
   viewer::WindowOptions window;
   if (options.trace) window.bus_listener = &recorder;

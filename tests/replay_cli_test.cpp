@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -123,6 +126,25 @@ TEST_F(Replay, BarsOfManyPalettesBecomeAnRgbPicture) {
   for (std::size_t row = 0; row < 780; ++row)
     ASSERT_EQ(bars.at(row * 1024 + row),
               (Rgb8{quant::seen_byte(static_cast<int>(row / 78)), 0, 0}));
+}
+
+// The manual's example is a trace, and gives what the manual says.
+TEST_F(Replay, PlaysTheManualsExample) {
+  std::ifstream manual(std::filesystem::path(SIR_CLAIM).parent_path() / "ma120.md");
+  const std::string text{std::istreambuf_iterator<char>(manual), {}};
+  const auto start = text.find("MA120 trace 1 ");
+  ASSERT_NE(start, std::string::npos);
+  folder.write("t", text.substr(start, text.find("```", start) - start));
+  const Ended ended = sir({"replay", "t", "--png", "t.png"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  const Planes frame = viewer::read_png(folder / "t.png");
+  const std::uint8_t c40 = quant::seen_byte(40);
+  EXPECT_EQ(frame.at(0), (Rgb8{0, 0, c40}));
+  EXPECT_EQ(frame.at(259 * 1024), (Rgb8{0, 0, c40}));
+  EXPECT_EQ(frame.at(260 * 1024), (Rgb8{255, 255, 0}));
+  EXPECT_EQ(frame.at(520 * 1024), (Rgb8{c40, 0, 0}));
+  for (std::size_t column = 0; column < 1024; ++column)
+    EXPECT_EQ(frame.at(389 * 1024 + column) == Rgb8{}, column >= 503 && column < 521) << column;
 }
 
 TEST_F(Replay, BadTracesAreLocated) {
