@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "eltek/bus.h"
+#include "eltek/trace_player.h"
 #include "eltek/trace_recorder.h"
 #include "tests/temp_folder.h"
 #include "tracer/error.h"
@@ -162,6 +164,31 @@ TEST(TraceText, ACutTraceIsDetectedAtEveryByte) {
     ASSERT_EQ(error.find("T:"), 0u) << error;
   }
   EXPECT_EQ(error_of(whole.substr(0, whole.size() - 1)), "");  // the last newline alone
+}
+
+// Bytes changed, doubled and left out: a trace is read and can be played, or the error has a place.
+TEST(TraceText, DamagedTracesAreReadOrLocated) {
+  std::mt19937 random(3);
+  int read = 0;
+  for (int i = 0; i < 4000; ++i) {
+    std::string text = kSample;
+    for (auto changes = random() % 3 + 1; changes > 0; --changes) {
+      const std::size_t place = random() % text.size();
+      switch (random() % 3) {
+        case 0: text[place] = "0123456789aF*?# \nx"[random() % 18]; break;
+        case 1: text.insert(place, text.substr(place, random() % 20)); break;
+        default: text.erase(place, random() % 4); break;
+      }
+    }
+    try {
+      TracePlayer player(parse_trace("T", text));
+      player.seek(player.count());
+      ++read;
+    } catch (const FileError& error) {
+      ASSERT_EQ(std::string(error.what()).find("T:"), 0u) << error.what() << "\n" << text;
+    }
+  }
+  EXPECT_GT(read, 100);
 }
 
 // Runs stay runs: what 3000 lines ask for is 2 gigapixels; it is refused at the limit, and what
