@@ -6,6 +6,7 @@
 
 #include "cli/image_input.h"
 #include "cli/interrupt.h"
+#include "cli/monitor_options.h"
 #include "cli/output_path.h"
 #include "eltek/display_driver.h"
 #include "quant/choose.h"
@@ -60,12 +61,25 @@ viewer::ShownImage prepare(const std::filesystem::path& input, const ShowOptions
   return image;
 }
 
-int write_png(const ShowOptions& options, const Session& session) {
-  const auto& input = options.inputs.front();
-  refuse_input_file(*options.png, input);
-  const viewer::ScreenView view({prepare(input, options, session)}, options.crop);
-  require_picture_name(*options.png);
-  viewer::write_indexed_png(*options.png, view.capture());
+void write_png(const std::filesystem::path& path, const eltek::IndexedScreen& screen,
+               const std::optional<eltek::Crt>& crt) {
+  require_picture_name(path);
+  if (crt) viewer::write_rgb_png(path, to_planes(crt->show(screen)));
+  else viewer::write_indexed_png(path, screen);
+}
+
+// To a file, to standard output, or both.
+int show_without_window(const ShowOptions& options, const Session& session) {
+  const TerminalForm form = settle(options.terminal.value_or(TerminalForm::sixel));
+  if (interrupted()) return kInterrupted;
+  std::optional<eltek::Crt> crt;
+  if (options.crt) note(session, monitor_text(crt.emplace(*options.crt)));
+  for (const auto& input : options.inputs) {
+    if (options.png) refuse_input_file(*options.png, input);
+    const viewer::ScreenView view({prepare(input, options, session)}, options.crop);
+    if (options.png) write_png(*options.png, view.capture(), crt);
+    if (options.terminal) print_screen(view.capture(), crt, form);
+  }
   return kDone;
 }
 
@@ -81,14 +95,17 @@ int open_window(const ShowOptions& options, const Session& session) {
 }
 #else
 int open_window(const ShowOptions&, const Session&) {
-  throw FileError("window", 0, "this build has none (it was made without SDL2); use --png OUT.png");
+  throw FileError(
+      "window", 0,
+      "this build has none (it was made without SDL2); use --terminal or --png OUT.png");
 }
 #endif
 
 }  // namespace
 
 int run_show(const ShowOptions& options, const Session& session) {
-  return options.png ? write_png(options, session) : open_window(options, session);
+  return options.png || options.terminal ? show_without_window(options, session)
+                                         : open_window(options, session);
 }
 
 }  // namespace sir::cli

@@ -1,12 +1,33 @@
 #include "cli/show_options.h"
 
+#include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "cli/monitor_options.h"
 #include "cli/option_values.h"
 #include "cli/show_command.h"
 
 namespace sir::cli {
+namespace {
+
+// A value only after "=": what follows --terminal is an image. Returns what tells the form when the
+// command line has been read.
+std::function<std::optional<TerminalForm>()> add_terminal(CLI::App* app) {
+  static const std::map<std::string, TerminalForm> kForms{{"auto", TerminalForm::automatic},
+                                                          {"blocks", TerminalForm::blocks},
+                                                          {"sixel", TerminalForm::sixel}};
+  const auto name = std::make_shared<std::string>();
+  app->add_flag("--terminal{auto}", *name,
+                "show the screen in the terminal: =sixel graphics, =blocks of 24-bit colours, or "
+                "=auto, what it can (auto)")
+      ->check(CLI::IsMember(kForms));
+  return [name] { return name->empty() ? std::nullopt : std::optional(kForms.at(*name)); };
+}
+
+}  // namespace
 
 void add_show(CLI::App& app, Action& action) {
   auto* sub = app.add_subcommand("show", "Show images on the MA120's screen");
@@ -31,10 +52,11 @@ void add_show(CLI::App& app, Action& action) {
   add_choice(sub, "--map", options->map.by,
              {{"rgb", quant::Goal::psnr}, {"perceptual", quant::Goal::perceptual}},
              "how colours are compared: by their bytes, or by the eye, for LUTs chosen so (rgb)");
-  // The only one so far; named so that a script may say what it relies on.
-  const auto named = std::make_shared<std::string>();
-  sub->add_option("--monitor", *named, "the monitor (ideal)")->check(CLI::IsMember({"ideal"}));
-  sub->callback([&action, options, named] {
+  const auto terminal = add_terminal(sub);
+  const auto monitor = add_monitor(sub);
+  sub->callback([&action, options, monitor, terminal] {
+    options->terminal = terminal();
+    options->crt = monitor();
     if (options->png && options->inputs.size() > 1)
       throw CLI::ValidationError("--png", "takes one image");
     if (options->map.reserved.all())

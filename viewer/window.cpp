@@ -16,7 +16,7 @@ namespace {
 [[noreturn]] void fail(const std::string& reason) { throw FileError("window", 0, reason); }
 
 constexpr const char* kWayOut =
-    "; run it on a desktop (DISPLAY or WAYLAND_DISPLAY set) or use --png OUT.png";
+    "; run it on a desktop (DISPLAY or WAYLAND_DISPLAY set), or use --terminal or --png OUT.png";
 
 // SDL's video part for as long as this lives.
 class Video {
