@@ -36,7 +36,8 @@ void add_show(CLI::App& app, Action& action) {
       ->required();
   sub->add_option("--lut", options->lut, "the LUT (BASE.LUT, else median in hsv)")
       ->type_name("FILE");
-  sub->add_option("--png", options->png, "write the screen as indexed PNG, open no window")
+  sub->add_option("--png", options->png,
+                  "write the screen as a PNG, indexed, or RGB with --monitor crt; open no window")
       ->type_name("OUT.png");
   sub->add_flag("--crop", options->crop, "the image's area alone; also admits larger images");
   add_parsed(sub, "--reserve", options->map.reserved, quant::parse_indices,
