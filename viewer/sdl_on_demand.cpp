@@ -13,8 +13,9 @@ namespace {
 void* library() {
   static void* const loaded = ::dlopen("libSDL2-2.0.so.0", RTLD_NOW | RTLD_LOCAL);
   if (loaded == nullptr)
-    throw sir::FileError(
-        "window", 0, std::string("SDL2 cannot be loaded (") + ::dlerror() + "); use --terminal or --png OUT.png");
+    throw sir::FileError("window", 0,
+                         std::string("SDL2 cannot be loaded (") + ::dlerror() +
+                             "); use --terminal or --png OUT.png");
   return loaded;
 }
 
