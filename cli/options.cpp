@@ -27,6 +27,7 @@
 #include "cli/show_options.h"
 #include "cli/table_command.h"
 #include "cli/tracing_options.h"
+#include "cli/why_options.h"
 #include "tracer/error.h"
 #include "tracer/text_file.h"
 
@@ -258,6 +259,7 @@ int run(int argc, char** argv) {
   add_check(app, action);
   add_effects(app, action);
   add_trace(app, action);
+  add_why(app, action);
   add_probe(app, action);
   add_hsv(app, action);
   add_planes(app, action);

@@ -26,12 +26,12 @@ TEST(EntryGroups, CountWeighAndSpread) {
 }
 
 TEST(EntryGroups, TheNearestOtherIsOfAnotherColour) {
-  const std::vector<DacCode> codes{{0, 0, 0}, {10, 0, 0}, {12, 0, 0}, {8, 0, 0}, {12, 0, 0}};
-  const Lut lut = make_lut(codes);      // the rest repeat the last
-  EXPECT_EQ(nearest_other(lut, 1), 2);  // both 8 away; the lower index
+  // Seen as 170, 85, 0 and 170 of red; the rest repeat the last.
+  const Lut lut = make_lut(std::vector<DacCode>{{42, 0, 0}, {21, 0, 0}, {0, 0, 0}, {42, 0, 0}});
+  EXPECT_EQ(nearest_other(lut, 1), 0);  // as near as 2; the lower index
+  EXPECT_EQ(nearest_other(lut, 0), 1);  // not 3, which is of the same colour
   EXPECT_EQ(nearest_other(lut, 2), 1);
   EXPECT_EQ(nearest_other(lut, 200), 1);
-  EXPECT_EQ(nearest_other(lut, 0), 3);
   EXPECT_EQ(nearest_other(make_lut(std::vector<DacCode>{{1, 2, 3}}), 0), std::nullopt);
 }
 
