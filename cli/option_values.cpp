@@ -110,14 +110,4 @@ const char* name_of(Precision precision) {
   return "";
 }
 
-std::filesystem::path given_base(const std::filesystem::path& base) {
-  const std::string suffix = fold_keyword(base.extension().string());
-  std::error_code ignored;
-  bool is_of_image = false;
-  for (const char* known : {".csg", ".cam", ".luz", ".sup", ".r", ".g", ".b"})
-    is_of_image = is_of_image || suffix == known;
-  if (!is_of_image || !std::filesystem::is_regular_file(base, ignored)) return base;
-  return std::filesystem::path(base).replace_extension();
-}
-
 }  // namespace sir::cli

@@ -1,11 +1,11 @@
 // Values of options that are more than a number.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "tracer/render.h"
+#include "viewer/image_name.h"
 
 namespace sir::cli {
 
@@ -32,8 +32,7 @@ std::string known_effects();
 /// The precision as it is given on the command line.
 const char* name_of(Precision precision);
 
-/// BASE as it was meant: the name of one of the scene's files or planes gives
-/// its base; anything else stays as it is.
-std::filesystem::path given_base(const std::filesystem::path& base);
+/// BASE as it was meant.
+using viewer::given_base;
 
 }  // namespace sir::cli

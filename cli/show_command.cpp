@@ -8,13 +8,12 @@
 #include "cli/interrupt.h"
 #include "cli/output_path.h"
 #include "eltek/display_driver.h"
-#include "quant/choose.h"
 #include "quant/dac_parse.h"
-#include "quant/map_image.h"
 #include "tracer/atomic_file.h"
 #include "tracer/error.h"
 #include "tracer/scene_path.h"
 #include "viewer/png_file.h"
+#include "viewer/rendition.h"
 #include "viewer/screen_view.h"
 #ifdef SIR_WITH_SDL
 #include "viewer/window.h"
@@ -23,41 +22,33 @@
 namespace sir::cli {
 namespace {
 
-// --lut, else BASE.LUT or BASE.lut where there is one.
-std::optional<std::filesystem::path> lut_file(const ShowOptions& options,
-                                              const std::filesystem::path& base) {
-  if (options.lut) return options.lut;
-  for (const char* suffix : {"LUT", "lut"})
-    if (auto path = with_suffix(base, suffix); std::filesystem::exists(path)) return path;
-  return std::nullopt;
-}
-
 viewer::ShownImage prepare(const std::filesystem::path& input, const ShowOptions& options,
                            const Session& session) {
-  const Planes planes = load_image(input, options.size);
+  viewer::Picture picture;
+  picture.input = input;
+  picture.base = base_name(input);
+  picture.planes = load_image(input, options.size);
   // An image that does not fit is refused before a LUT is sought for it.
-  eltek::place(input.string(), planes.size,
+  eltek::place(input.string(), picture.planes.size,
                options.crop ? eltek::Oversize::crop : eltek::Oversize::refuse);
-  viewer::ShownImage image;
-  image.base = base_name(input);
-  image.size = planes.size;
-  if (const auto path = lut_file(options, image.base)) {
-    if (options.png) refuse_same_file(*options.png, *path);
-    image.lut = quant::read_lut(*path);
-    image.lut_name = path->filename().string();
-    detail(session, input.string() + ": shown with " + path->string());
-  } else {
-    image.lut = quant::choose_lut(planes);
-    image.lut_name = "chosen by median in hsv";
-    note(session, input.string() + ": there is no " + with_suffix(image.base, "LUT").string() +
-                      "; shown with a LUT chosen by median in hsv");
-  }
-  if (image.lut.dac != quant::DacBits{})
-    note(session, input.string() + ": shown through a DAC of " + quant::bits_text(image.lut.dac) +
+  const viewer::RenditionOptions rendition{options.map, options.lut};
+  const auto path = viewer::lut_file(picture.base, rendition);
+  if (path && options.png) refuse_same_file(*options.png, *path);
+  auto made = viewer::make_rendition(
+      picture, path ? viewer::Method::lut_file : viewer::Method::hsv_median, rendition);
+  if (path) detail(session, input.string() + ": shown with " + path->string());
+  else
+    note(session, input.string() + ": there is no " + with_suffix(picture.base, "LUT").string() +
+                      "; shown with a LUT " + made.lut_name);
+  if (made.lut.dac != quant::DacBits{})
+    note(session, input.string() + ": shown through a DAC of " + quant::bits_text(made.lut.dac) +
                       " bits, which the MA120 did not have");
-  image.reserved = options.map.reserved;
-  image.indices = quant::map_image(planes, image.lut, options.map);
-  return image;
+  return {picture.base,
+          std::move(made.lut_name),
+          picture.planes.size,
+          std::move(made.indices),
+          made.lut,
+          made.reserved};
 }
 
 int write_png(const ShowOptions& options, const Session& session) {

@@ -11,7 +11,7 @@ namespace sir {
 /// Work that could not be done because of what a file holds, or because it
 /// cannot be read or written. what() is one line meant for a person:
 /// "file:line: reason", or "file: reason" where no line is to blame.
-/// Only the program's main catches it, and the window where a screenshot fails.
+/// Only the program's main catches it, and the viewer, which says what went wrong and stays open.
 class FileError : public std::runtime_error {
  public:
   /// `line` counts from 1; 0 means that no single line is to blame.
