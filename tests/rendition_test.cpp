@@ -68,8 +68,7 @@ TEST_F(RenditionTest, MakesTheThesisFour) {
 TEST_F(RenditionTest, MakesTheBest) {
   quant::WeightedColours colours;
   colours.add(picture.planes);
-  expect_shown_by(quant::choose_best(colours).lut,
-                  make_rendition(picture, Method::best, options));
+  expect_shown_by(quant::choose_best(colours).lut, make_rendition(picture, Method::best, options));
 }
 
 TEST_F(RenditionTest, TheBestLeavesReservedEntriesToOthers) {

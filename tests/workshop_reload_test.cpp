@@ -164,18 +164,22 @@ TEST_F(WorkshopReloadTest, PlanesThatARenderWritesReplaceThePicture) {
   EXPECT_TRUE(comes_to_show(number, planes));
 }
 
-// It would take minutes; the small one that follows is all that is waited for.
 TEST_F(WorkshopReloadTest, AnEditedSceneIsRenderedAnewAtOnce) {
-  options.size = {9000, 6000};
-  test::write_small_scene(folder, "s");
+  options.size = test::kSlowSize;
+  test::write_slow_scene(folder, "s");
   const std::size_t number = open("s");
   ASSERT_TRUE(eventually([&] { return state(number).picture != nullptr; }));
   const auto first = state(number).picture;
   ASSERT_LT(first->share, 1);
-  test::write_small_scene(folder, "s", 0.9);
-  ASSERT_TRUE(eventually([&] { return state(number).picture->scene != first->scene; }));
-  EXPECT_LT(state(number).picture->share, 1);
-  EXPECT_EQ(state(number).picture->scene->surfaces.at(0).first.diffuse.r, 0.9);
+  for (const char* light : {"1 0 0", "0 1 0", "0 0 1"}) {
+    const auto before = state(number).picture;
+    folder.write("s.LUZ", std::string("0 0 0\n.2\n1\n-4 9 4 ") + light + "\n");
+    ASSERT_TRUE(eventually([&] { return state(number).picture->scene != before->scene; }));
+    EXPECT_LT(state(number).picture->share, 1);
+    EXPECT_TRUE(state(number).busy);
+    EXPECT_EQ(lighting_text(state(number).picture->scene->lighting),
+              lighting_text(read_scene(folder / "s").lighting));
+  }
 }
 
 TEST_F(WorkshopReloadTest, ReloadReadsAgainWhatDidNotChange) {
