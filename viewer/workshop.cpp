@@ -93,6 +93,7 @@ class Workshop::Impl {
     if (of.empty()) return {};
     Latest<Shown>& latest = image.shown[method];
     const auto picture = std::static_pointer_cast<const Picture>(of.front());
+    const bool current = latest.is_current(of);  // asked first: it may become so at any time
     const auto made = latest.get(
         worker_, of, [picture, method, rendition = options_.rendition](std::stop_token stop) {
           if (const auto file = lut_file(picture->base, rendition);
@@ -103,7 +104,7 @@ class Workshop::Impl {
                            make_rendition(*picture, method, rendition, std::move(stop))));
         });
     if (!made) return {};
-    return {made->picture, made->rendition, latest.is_current(of)};
+    return {made->picture, made->rendition, current};
   }
 
   bool is_current(std::size_t number, Method method) const {
