@@ -3,19 +3,13 @@
 
 #include <filesystem>
 
-#include "tracer/planes.h"
+#include "viewer/image_name.h"
 
 namespace sir::cli {
 
-/// Whether the name ends in .png, in any case.
-bool is_png(const std::filesystem::path& input);
-
-/// FILE.png -> FILE; any other name is a base name already and stays as it is.
-std::filesystem::path base_name(const std::filesystem::path& input);
-
-/// Reads FILE.png, sample values as stored, or the planes BASE.R, BASE.G and
-/// BASE.B, which have `size` (a PNG tells its own). Throws FileError.
-Planes load_image(const std::filesystem::path& input, ImageSize size);
+using viewer::base_name;
+using viewer::is_png;
+using viewer::load_image;
 
 /// Refuses (FileError) an output that is one of the files of the input: the PNG
 /// or a plane, whichever is read, or one of the four files of its scene.

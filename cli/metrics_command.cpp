@@ -62,14 +62,6 @@ struct Findings {
 
 int degrees(int plane) { return 10 * plane; }
 
-/// The nearest of the twelve names of the colour wheel; half way, the later one.
-const char* hue_name(int degrees) {
-  static constexpr std::array<const char*, 12> kNames{
-      "red",  "orange", "yellow", "chartreuse", "green",   "spring green",
-      "cyan", "azure",  "blue",   "violet",     "magenta", "rose"};
-  return kNames[static_cast<std::size_t>((degrees + 15) / 30) % kNames.size()];
-}
-
 ordered_json as_json(const quant::ErrorBudget& budget) {
   return {{"total", budget.total},
           {"entries", budget.entries},
@@ -112,7 +104,7 @@ std::string as_text(const Findings& found) {
     if (std::find(alarms.begin(), alarms.end(), plane.plane) == alarms.end()) continue;
     const int hue = degrees(plane.plane);
     text += fmt::format("alarm: hue {} ({}) is gone: {} of {} {} shown in another hue or in grey\n",
-                        hue, hue_name(hue),
+                        hue, quant::hue_name(hue),
                         std::llround(plane.lost * static_cast<double>(plane.pixels)), plane.pixels,
                         plane.pixels == 1 ? "pixel is" : "pixels are");
   }

@@ -43,6 +43,18 @@ bool parse_region(std::string_view text, Region& region) {
   return true;
 }
 
+bool parse_rate(std::string_view text, double& rate) {
+  constexpr double kMost = 1e15;
+  double unit = 1;
+  if (text.ends_with('k') || text.ends_with('K')) unit = 1e3;
+  if (text.ends_with('M')) unit = 1e6;
+  if (unit > 1) text.remove_suffix(1);
+  double value = 0;
+  if (!parse_number(text, value) || value <= 0 || value * unit > kMost) return false;
+  rate = value * unit;
+  return true;
+}
+
 bool parse_antialias(std::string_view text, AntialiasOptions& options) {
   AntialiasOptions parsed;
   std::vector<std::int64_t> numbers;
@@ -108,16 +120,6 @@ const char* name_of(Precision precision) {
     case Precision::long_double: return "long-double";
   }
   return "";
-}
-
-std::filesystem::path given_base(const std::filesystem::path& base) {
-  const std::string suffix = fold_keyword(base.extension().string());
-  std::error_code ignored;
-  bool is_of_image = false;
-  for (const char* known : {".csg", ".cam", ".luz", ".sup", ".r", ".g", ".b"})
-    is_of_image = is_of_image || suffix == known;
-  if (!is_of_image || !std::filesystem::is_regular_file(base, ignored)) return base;
-  return std::filesystem::path(base).replace_extension();
 }
 
 }  // namespace sir::cli

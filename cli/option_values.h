@@ -1,11 +1,11 @@
 // Values of options that are more than a number.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "tracer/render.h"
+#include "viewer/image_name.h"
 
 namespace sir::cli {
 
@@ -18,6 +18,9 @@ bool parse_size(std::string_view text, ImageSize& size);
 
 /// "X,Y,W,H" with X, Y >= 0 and W, H > 0.
 bool parse_region(std::string_view text, Region& region);
+
+/// Bytes a second: a positive number, with k or M for thousands or millions; at most 1e15.
+bool parse_rate(std::string_view text, double& rate);
 
 /// "none", "adaptive[:THRESHOLD[:LEVELS]]" or "random[:SAMPLES[:SEED]]"; what is left
 /// out has its default.
@@ -32,8 +35,7 @@ std::string known_effects();
 /// The precision as it is given on the command line.
 const char* name_of(Precision precision);
 
-/// BASE as it was meant: the name of one of the scene's files or planes gives
-/// its base; anything else stays as it is.
-std::filesystem::path given_base(const std::filesystem::path& base);
+/// BASE as it was meant.
+using viewer::given_base;
 
 }  // namespace sir::cli

@@ -22,11 +22,13 @@
 #include "cli/planes_command.h"
 #include "cli/probe_command.h"
 #include "cli/render_command.h"
+#include "cli/replay_command.h"
 #include "cli/scene_commands.h"
 #include "cli/session.h"
 #include "cli/show_options.h"
 #include "cli/table_command.h"
 #include "cli/tracing_options.h"
+#include "cli/why_options.h"
 #include "tracer/error.h"
 #include "tracer/text_file.h"
 
@@ -253,11 +255,13 @@ int run(int argc, char** argv) {
   add_paint(app, action);
   add_cost(app, action);
   add_show(app, action);
+  add_replay(app, action);
   add_metrics(app, action);
   add_table(app, action);
   add_check(app, action);
   add_effects(app, action);
   add_trace(app, action);
+  add_why(app, action);
   add_probe(app, action);
   add_hsv(app, action);
   add_planes(app, action);

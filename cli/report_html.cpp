@@ -10,7 +10,7 @@
 #include "eltek/display_driver.h"
 #include "quant/heat_map.h"
 #include "viewer/png_file.h"
-#include "viewer/screen_view.h"
+#include "viewer/station.h"
 
 namespace sir::cli {
 namespace {
@@ -149,12 +149,12 @@ class Page {
   }
 
   std::string seen(const TableRow& row, const TableCell& cell) {
-    viewer::ShownImage image;
-    image.base = row.thesis.file;
-    image.size = row.image.size;
-    image.lut = cell.lut;
-    image.indices = cell.indices;
-    viewer::write_indexed_png(scratch_, viewer::ScreenView({std::move(image)}, true).capture());
+    viewer::Rendition rendition;
+    rendition.lut = cell.lut;
+    rendition.indices = cell.indices;
+    viewer::Station station(true);
+    station.show(row.thesis.file, row.image.size, rendition);
+    viewer::write_indexed_png(scratch_, station.capture());
     return data_uri(scratch_);
   }
 

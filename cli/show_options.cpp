@@ -1,12 +1,33 @@
 #include "cli/show_options.h"
 
+#include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "cli/monitor_options.h"
 #include "cli/option_values.h"
 #include "cli/show_command.h"
 
 namespace sir::cli {
+namespace {
+
+// A value only after "=": what follows --terminal is an image. Returns what tells the form when the
+// command line has been read.
+std::function<std::optional<TerminalForm>()> add_terminal(CLI::App* app) {
+  static const std::map<std::string, TerminalForm> kForms{{"auto", TerminalForm::automatic},
+                                                          {"blocks", TerminalForm::blocks},
+                                                          {"sixel", TerminalForm::sixel}};
+  const auto name = std::make_shared<std::string>();
+  app->add_flag("--terminal{auto}", *name,
+                "show the screen in the terminal: =sixel graphics, =blocks of 24-bit colours, or "
+                "=auto, what it can (auto)")
+      ->check(CLI::IsMember(kForms));
+  return [name] { return name->empty() ? std::nullopt : std::optional(kForms.at(*name)); };
+}
+
+}  // namespace
 
 void add_show(CLI::App& app, Action& action) {
   auto* sub = app.add_subcommand("show", "Show images on the MA120's screen");
@@ -17,6 +38,14 @@ void add_show(CLI::App& app, Action& action) {
       ->type_name("FILE");
   sub->add_option("--png", options->png, "write the screen as indexed PNG, open no window")
       ->type_name("OUT.png");
+  sub->add_option("--trace", options->trace,
+                  "write what was done at the MA120's registers, for sir replay")
+      ->type_name("FILE");
+  add_parsed(
+      sub, "--bus", options->bus_rate, parse_rate,
+      {"RATE", "a rate in bytes a second, such as 500k or 1.2M"},
+      "print the bytes that showing each image puts on a bus of so many bytes a second, such "
+      "as 500k or 1.2M, and how long that takes");
   sub->add_flag("--crop", options->crop, "the image's area alone; also admits larger images");
   add_parsed(sub, "--reserve", options->map.reserved, quant::parse_indices,
              {"LIST", "a list of LUT entries from 0 to 255, such as 0-15,255"},
@@ -31,10 +60,11 @@ void add_show(CLI::App& app, Action& action) {
   add_choice(sub, "--map", options->map.by,
              {{"rgb", quant::Goal::psnr}, {"perceptual", quant::Goal::perceptual}},
              "how colours are compared: by their bytes, or by the eye, for LUTs chosen so (rgb)");
-  // The only one so far; named so that a script may say what it relies on.
-  const auto named = std::make_shared<std::string>();
-  sub->add_option("--monitor", *named, "the monitor (ideal)")->check(CLI::IsMember({"ideal"}));
-  sub->callback([&action, options, named] {
+  const auto terminal = add_terminal(sub);
+  const auto monitor = add_monitor(sub);
+  sub->callback([&action, options, monitor, terminal] {
+    options->terminal = terminal();
+    options->crt = monitor();
     if (options->png && options->inputs.size() > 1)
       throw CLI::ValidationError("--png", "takes one image");
     if (options->map.reserved.all())

@@ -17,6 +17,12 @@ std::string text(ImageSize size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
+void require_same(const quant::DacBits& of_lut, const quant::DacBits& fitted) {
+  if (of_lut != fitted)
+    throw std::invalid_argument("a LUT for a DAC of " + quant::bits_text(of_lut) +
+                                " bits; the one fitted has " + quant::bits_text(fitted));
+}
+
 }  // namespace
 
 Placement place(const std::string& name, ImageSize image, Oversize oversize) {
@@ -33,10 +39,15 @@ Placement place(const std::string& name, ImageSize image, Oversize oversize) {
   return {on_screen, (image.width - part.width) / 2, (image.height - part.height) / 2};
 }
 
+void load_lut(Bus& bus, const quant::Lut& lut) {
+  require_same(lut.dac, bus.machine().dac());
+  bus.write(Port::lut_write, 0);
+  for (const quant::DacCode& entry : lut.entry)
+    for (const std::uint8_t code : entry) bus.write(Port::lut_data, code);
+}
+
 void load_lut(LutPorts& ports, const quant::Lut& lut) {
-  if (lut.dac != ports.dac())
-    throw std::invalid_argument("a LUT for a DAC of " + quant::bits_text(lut.dac) +
-                                " bits; the one fitted has " + quant::bits_text(ports.dac()));
+  require_same(lut.dac, ports.dac());
   ports.write_address(0);
   for (const quant::DacCode& entry : lut.entry)
     for (const std::uint8_t code : entry) ports.write_data(code);
@@ -46,15 +57,18 @@ std::uint8_t nearest_to_black(const quant::Lut& lut, const quant::IndexSet& rese
   return quant::nearest_entry(Rgb8{0, 0, 0}, lut, reserved);
 }
 
-Area show_image(Ma120& monitor, const IndexedImage& image, const quant::Lut& lut, Oversize oversize,
+Area show_image(Bus& bus, const IndexedImage& image, const quant::Lut& lut, Oversize oversize,
                 const quant::IndexSet& reserved) {
   const Placement placement = place(image.name, image.size, oversize);
   if (image.indices.size() != image.size.pixels())
     throw std::invalid_argument("an image has one index for every pixel");
   const std::uint8_t border = nearest_to_black(lut, reserved);
-  load_lut(monitor.lut_ports, lut);
-  monitor.lut_ports.write_pixel_mask(0xFF);
-  monitor.frame_buffer.set_write_mask(0xFF);
+  load_lut(bus, lut);
+  bus.write(Port::pixel_mask, 0xFF);
+  bus.write(Port::plane_mask, 0xFF);
+  bus.write(Port::blank, 0);
+  bus.write(Port::column, 0);
+  bus.write(Port::row, 0);
 
   const Area& area = placement.on_screen;
   std::array<std::uint8_t, FrameBuffer::kColumns> row;
@@ -66,9 +80,15 @@ Area show_image(Ma120& monitor, const IndexedImage& image, const quant::Lut& lut
                          placement.image_column;
       std::copy_n(first, area.size.width, row.begin() + area.column);
     }
-    monitor.frame_buffer.write_row(0, j, row);
+    bus.write_pixels(row);  // the address moves on to the next row by itself
   }
   return area;
+}
+
+Area show_image(Ma120& monitor, const IndexedImage& image, const quant::Lut& lut, Oversize oversize,
+                const quant::IndexSet& reserved) {
+  Bus bus(monitor);
+  return show_image(bus, image, lut, oversize, reserved);
 }
 
 }  // namespace sir::eltek

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "eltek/bus.h"
 #include "eltek/ma120.h"
 #include "eltek/screen.h"
 #include "quant/index_set.h"
@@ -36,9 +37,12 @@ struct Placement {
 /// An image without pixels is refused.
 Placement place(const std::string& name, ImageSize image, Oversize oversize);
 
-/// Step a: initialises the monitor's LUT through its ports, from entry 0 on.
+/// Step a: initialises the monitor's LUT through its registers, from entry 0 on.
 /// Throws std::invalid_argument for a LUT of another DAC than the one fitted:
 /// its codes would be seen as other colours.
+void load_lut(Bus& bus, const quant::Lut& lut);
+
+/// The same for a table without a machine around it.
 void load_lut(LutPorts& ports, const quant::Lut& lut);
 
 /// The entry whose colour as seen is nearest to black by squared distance,
@@ -46,13 +50,16 @@ void load_lut(LutPorts& ports, const quant::Lut& lut);
 /// around an image. Throws std::invalid_argument where all are.
 std::uint8_t nearest_to_black(const quant::Lut& lut, const quant::IndexSet& reserved = {});
 
-/// Steps a to c: loads the LUT, opens both masks, sends the image's indices
-/// to its centred place and the index nearest to black to the rest of the
-/// screen, which takes no reserved entry. Returns the image's area on the
-/// screen. Throws FileError for an image that does not fit (see place),
-/// std::invalid_argument where indices and size disagree, where the LUT is not
-/// for the monitor's DAC and where all entries are reserved; the screen then
-/// stays as it was.
+/// Steps a to c, by registers alone: loads the LUT, opens both masks, ends blanking, sends row
+/// after row the image's indices to its centred place and the index nearest to black, which is
+/// no reserved one, to the rest of the screen. Returns the image's area on the screen. Throws
+/// FileError for an image that does not fit (see place), std::invalid_argument where indices and
+/// size disagree, where the LUT is not for the monitor's DAC and where all entries are reserved;
+/// the screen then stays as it was.
+Area show_image(Bus& bus, const IndexedImage& image, const quant::Lut& lut,
+                Oversize oversize = Oversize::refuse, const quant::IndexSet& reserved = {});
+
+/// The same through a bus of its own, to which nobody listens.
 Area show_image(Ma120& monitor, const IndexedImage& image, const quant::Lut& lut,
                 Oversize oversize = Oversize::refuse, const quant::IndexSet& reserved = {});
 

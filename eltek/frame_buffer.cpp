@@ -74,6 +74,33 @@ void FrameBuffer::write_row(int column, int row, std::span<const std::uint8_t> i
   for (; i < indices.size(); ++i) write(column++, row, indices[i]);
 }
 
+void FrameBuffer::fill(int column, int row, std::size_t count, std::uint8_t index) {
+  require_on_screen(column, row, count > 0 ? 1 : 0);
+  // Rows lie one behind the other, so that a run over several is one run of bits.
+  const std::size_t first = byte_offset(column, row) * 8 + static_cast<std::size_t>(column % 8);
+  if (count > 8 * kPlaneBytes - first)
+    throw std::out_of_range("pixels beyond the last row of the MA120's screen");
+  if (count == 0) return;
+  const std::size_t end = first + count;
+  const auto head = static_cast<std::uint8_t>(0xFFu >> (first % 8));
+  const auto tail = static_cast<std::uint8_t>(~(0xFFu >> (end % 8)));  // 0: it ends with a byte
+  for (int p = 0; p < kPlanes; ++p) {
+    if (((write_mask_ >> p) & 1) == 0) continue;
+    const bool set = ((index >> p) & 1) != 0;
+    std::uint8_t* plane = &bits_[static_cast<std::size_t>(p) * kPlaneBytes];
+    const auto change = [&](std::size_t byte, std::uint8_t bits) {
+      plane[byte] = static_cast<std::uint8_t>(set ? plane[byte] | bits : plane[byte] & ~bits);
+    };
+    if (first / 8 == end / 8) {
+      change(first / 8, static_cast<std::uint8_t>(head & tail));
+      continue;
+    }
+    change(first / 8, head);
+    std::fill(plane + first / 8 + 1, plane + end / 8, static_cast<std::uint8_t>(set ? 0xFF : 0));
+    if (tail != 0) change(end / 8, tail);
+  }
+}
+
 void FrameBuffer::read_row(int column, int row, std::span<std::uint8_t> indices) const {
   require_on_screen(column, row, indices.size());
   std::size_t i = 0;

@@ -1,6 +1,7 @@
 // The pixel memory of the MA120: eight bit planes of 1024 x 780 (thesis 3.4).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,11 +34,15 @@ class FrameBuffer {
   void write(int column, int row, std::uint8_t index);
   std::uint8_t read(int column, int row) const;
 
-  /// Writes neighbouring pixels from (column, row) rightwards; the same as
+  /// Writes neighbouring pixels of a row from (column, row) rightwards; the same as
   /// write() for each, eight pixels at a time where they fill whole bytes.
   void write_row(int column, int row, std::span<const std::uint8_t> indices);
 
-  /// Reads neighbouring pixels, likewise.
+  /// Writes one index to `count` pixels from (column, row) on, row after row; the same as write()
+  /// for each. Throws std::out_of_range where they reach beyond the last row.
+  void fill(int column, int row, std::size_t count, std::uint8_t index);
+
+  /// Reads neighbouring pixels of a row, as write_row writes them.
   void read_row(int column, int row, std::span<std::uint8_t> indices) const;
 
   /// The packed bytes of one plane, 0..7: kRows * kBytesPerRow of them.

@@ -47,6 +47,12 @@ class LutPorts {
   void write_pixel_mask(std::uint8_t mask) { pixel_mask_ = mask; }
   std::uint8_t pixel_mask() const { return pixel_mask_; }
 
+  /// The counter behind both addresses: the entry that data go to or come from next.
+  std::uint8_t address() const { return address_; }
+
+  /// The primary that data go to or come from next: 0, 1, 2 for R, G, B.
+  std::size_t phase() const { return phase_; }
+
   /// What the scanout wires see: the entry chosen by a pixel's index under
   /// the pixel mask.
   const quant::DacCode& look_up(std::uint8_t index) const {

@@ -1,6 +1,7 @@
 #include "eltek/ma120.h"
 
-#include <cstddef>
+#include <algorithm>
+#include <stdexcept>
 
 #include "eltek/dac.h"
 
@@ -9,6 +10,10 @@ namespace sir::eltek {
 void Ma120::scan_line(int row, std::span<Rgb8, FrameBuffer::kColumns> line) const {
   std::array<std::uint8_t, FrameBuffer::kColumns> indices;
   frame_buffer.read_row(0, row, indices);
+  if (blanked) {
+    std::fill(line.begin(), line.end(), Rgb8{});
+    return;
+  }
   for (std::size_t i = 0; i < indices.size(); ++i)
     line[i] = dac_colour(lut_ports.look_up(indices[i]), dac());
 }
@@ -21,8 +26,29 @@ Screen Ma120::scan_out() const {
   return screen;
 }
 
+void Ma120::scan_out_argb(std::span<std::uint32_t> words, std::size_t stride) const {
+  constexpr std::size_t kWidth = FrameBuffer::kColumns;
+  if (stride < kWidth || words.size() < (FrameBuffer::kRows - 1) * stride + kWidth)
+    throw std::invalid_argument("no room for the MA120's screen");
+  constexpr std::uint32_t kOpaque = 0xFF000000u;
+  std::array<std::uint32_t, 256> seen;
+  seen.fill(kOpaque);
+  if (!blanked)
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const Rgb8 colour = dac_colour(lut_ports.look_up(static_cast<std::uint8_t>(i)), dac());
+      seen[i] |= std::uint32_t{colour.r} << 16 | std::uint32_t{colour.g} << 8 | colour.b;
+    }
+  std::array<std::uint8_t, kWidth> indices;
+  for (int row = 0; row < FrameBuffer::kRows; ++row) {
+    frame_buffer.read_row(0, row, indices);
+    std::uint32_t* const line = &words[static_cast<std::size_t>(row) * stride];
+    for (std::size_t i = 0; i < kWidth; ++i) line[i] = seen[indices[i]];
+  }
+}
+
 IndexedScreen Ma120::capture() const {
-  IndexedScreen screen{kSize, std::vector<std::uint8_t>(kSize.pixels()), palette(), dac()};
+  IndexedScreen screen{kSize, std::vector<std::uint8_t>(kSize.pixels()), {}, dac()};
+  if (!blanked) screen.palette = palette();
   for (int row = 0; row < kSize.height; ++row)
     frame_buffer.read_row(
         0, row,

@@ -2,22 +2,26 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "eltek/frame_buffer.h"
 #include "eltek/lut_ports.h"
+#include "eltek/pixel_address.h"
 #include "eltek/screen.h"
 
 namespace sir::eltek {
 
 /// The device is its parts. A pixel passes through them in this order:
 ///
-///   frame_buffer -> pixel mask -> LUT (both in lut_ports) -> dac -> Screen
+///   frame_buffer -> pixel mask -> LUT (both in lut_ports) -> dac -> blanking -> Screen
+///
+/// A program reaches it by its registers (Bus); those that know the parts use them directly.
 ///
 /// The thesis says: 1024 x 780 pixels, 8 planes, 256 entries, 0..63 for each
 /// primary. How the parts are reached, a linear DAC and square pixels are our
-/// model. After power-on everything is 0 and both masks are open.
+/// model. After power-on everything is 0, both masks are open and blanking is off.
 ///
 /// The MA120's DAC has 6 bits per primary. Another may be fitted, as if the
 /// machine had been built with it; all else stays.
@@ -30,6 +34,10 @@ class Ma120 {
 
   FrameBuffer frame_buffer;
   LutPorts lut_ports;
+  PixelAddress pixel_address;
+
+  /// While it is on, what is scanned out is black whatever the LUT; the parts work as ever.
+  bool blanked = false;
 
   /// The DAC that is fitted.
   const quant::DacBits& dac() const { return lut_ports.dac(); }
@@ -40,10 +48,17 @@ class Ma120 {
   /// Scans out the whole screen.
   Screen scan_out() const;
 
-  /// The whole screen before the LUT, for captures that keep the LUT's order.
+  /// The same as 0xAARRGGBB words with AA = 255, faster, into memory of somebody else: row j
+  /// begins at word j * stride; what lies between rows stays as it is. Throws
+  /// std::invalid_argument for a stride of less than a row and for too few words.
+  void scan_out_argb(std::span<std::uint32_t> words,
+                     std::size_t stride = FrameBuffer::kColumns) const;
+
+  /// The whole screen before the LUT, for captures that keep the LUT's order. While it is blanked
+  /// all entries are black.
   IndexedScreen capture() const;
 
-  /// The 256 entries as seen, whatever the pixel mask.
+  /// The 256 entries as seen, whatever the pixel mask and the blanking.
   std::array<Rgb8, 256> palette() const;
 };
 

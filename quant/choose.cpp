@@ -11,11 +11,6 @@
 namespace sir::quant {
 namespace {
 
-std::unique_ptr<const Grid> grid_of(const ChooseOptions& options) {
-  if (options.space == Space::rgb) return std::make_unique<RgbGrid>(options.rgb_bits);
-  return std::make_unique<HsvGrid>(options.grid);
-}
-
 /// The cells of each occupied plane; they stand together in the grid's order.
 std::vector<std::span<const Cell>> planes_of(const Histogram& cells, const Grid& grid) {
   std::vector<std::span<const Cell>> planes;
@@ -28,8 +23,9 @@ std::vector<std::span<const Cell>> planes_of(const Histogram& cells, const Grid&
   return planes;
 }
 
+/// The colours plane by plane; how, in `log`.
 std::vector<DacCode> shared_out(const Histogram& cells, const ChooseOptions& options,
-                                const Grid& grid) {
+                                const Grid& grid, ChoiceLog* log) {
   const auto planes = planes_of(cells, grid);
   std::vector<PlaneClaim> claims;
   for (const auto plane : planes) {
@@ -37,11 +33,28 @@ std::vector<DacCode> shared_out(const Histogram& cells, const ChooseOptions& opt
     for (const Cell& cell : plane) claims.back().pixels += cell.pixels;
   }
   const auto shares = allocate(kLutEntries, claims);
+  const bool each_its_own = cells.size() <= kLutEntries;
+  if (log) *log = {each_its_own, {}};
   std::vector<DacCode> colours;
   for (std::size_t i = 0; i < planes.size(); ++i) {
+    CutLog* cut = nullptr;
+    if (log) {
+      log->planes.push_back({grid.plane(planes[i].front().at),
+                             static_cast<std::size_t>(planes[i].data() - cells.data()),
+                             planes[i].size(),
+                             claims[i].pixels,
+                             shares[i],
+                             colours.size(),
+                             {}});
+      cut = &log->planes.back().cut;
+    }
+    if (each_its_own) {
+      for (const Cell& cell : planes[i]) colours.push_back(code_of(cell, grid));
+      continue;
+    }
     const auto chosen = options.method == Method::frequency
                             ? most_frequent(planes[i], shares[i], grid)
-                            : median_cut(planes[i], shares[i], options.split, grid);
+                            : median_cut(planes[i], shares[i], options.split, grid, cut);
     colours.insert(colours.end(), chosen.begin(), chosen.end());
   }
   return colours;
@@ -50,16 +63,17 @@ std::vector<DacCode> shared_out(const Histogram& cells, const ChooseOptions& opt
 }  // namespace
 
 Histogram count_for(const Planes& image, const ChooseOptions& options) {
-  return count_cells(image, *grid_of(options), options.sample);
+  return count_cells(image, *grid_for(options), options.sample);
 }
 
-Lut choose_from(const Histogram& cells, const ChooseOptions& options) {
+Lut choose_from(const Histogram& cells, const ChooseOptions& options, ChoiceLog* log) {
   if (cells.empty()) throw FileError("image", 0, "has no pixels to choose colours from");
-  const auto grid = grid_of(options);
-  if (cells.size() > kLutEntries) return make_lut(shared_out(cells, options, *grid));
-  std::vector<DacCode> colours;
-  for (const Cell& cell : cells) colours.push_back(code_of(cell, *grid));
-  return make_lut(colours);
+  return make_lut(shared_out(cells, options, *grid_for(options), log));
+}
+
+std::unique_ptr<const Grid> grid_for(const ChooseOptions& options) {
+  if (options.space == Space::rgb) return std::make_unique<RgbGrid>(options.rgb_bits);
+  return std::make_unique<HsvGrid>(options.grid);
 }
 
 Lut choose_lut(const Planes& image, const ChooseOptions& options) {

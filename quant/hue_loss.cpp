@@ -1,6 +1,7 @@
 #include "quant/hue_loss.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "quant/ciede2000.h"
@@ -48,6 +49,13 @@ double share(std::uint64_t part, std::uint64_t whole) {
 }
 
 }  // namespace
+
+const char* hue_name(int degrees) {
+  static constexpr std::array<const char*, 12> kNames{
+      "red",  "orange", "yellow", "chartreuse", "green",   "spring green",
+      "cyan", "azure",  "blue",   "violet",     "magenta", "rose"};
+  return kNames[static_cast<std::size_t>((degrees + 15) / 30) % kNames.size()];
+}
 
 HueLoss hue_loss(const Planes& reference, const Planes& shown) {
   require_pair(reference, shown);

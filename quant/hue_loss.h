@@ -21,6 +21,10 @@ struct HueLoss {
   std::vector<int> alarms;        ///< hue planes that are gone, in order
 };
 
+/// What a hue of 0 to 360 degrees is called: the nearest of the colour wheel's twelve names, "red",
+/// "orange" and so on; half way, the later one.
+const char* hue_name(int degrees);
+
 /// Such a CIEDE2000 is plain to see.
 inline constexpr double kPlainToSee = 5;
 

@@ -8,28 +8,27 @@ namespace {
 /// Some of the cells, by where they stand; splitting reorders within.
 struct Box {
   std::span<Cell> cells;
+  GridPoint low{}, high{};
   std::uint64_t pixels = 0;
   std::size_t axis = 0;  // the longest one
-  int low = 0;           // least coordinate on it
-  int length = 0;        // greatest less least; 0 for a single cell
+  int length = 0;        // greatest less least coordinate on it; 0 for a single cell
+
+  CellBox summary() const { return {low, high, pixels, cells.size()}; }
 };
 
 Box shrunk_box(std::span<Cell> cells) {
-  Box box{cells};
-  GridPoint low = cells.front().at, high = low;
+  Box box{cells, cells.front().at, cells.front().at};
   for (const Cell& cell : cells) {
     box.pixels += cell.pixels;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], cell.at[axis]);
-      high[axis] = std::max(high[axis], cell.at[axis]);
+      box.low[axis] = std::min(box.low[axis], cell.at[axis]);
+      box.high[axis] = std::max(box.high[axis], cell.at[axis]);
     }
   }
-  box.low = low[0];
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int length = high[axis] - low[axis];
+    const int length = box.high[axis] - box.low[axis];
     if (length > box.length) {
       box.axis = axis;
-      box.low = low[axis];
       box.length = length;
     }
   }
@@ -40,7 +39,7 @@ Box shrunk_box(std::span<Cell> cells) {
 int median_coordinate(const Box& box) {
   std::vector<std::uint64_t> pixels(static_cast<std::size_t>(box.length) + 1);
   for (const Cell& cell : box.cells)
-    pixels[static_cast<std::size_t>(cell.at[box.axis] - box.low)] += cell.pixels;
+    pixels[static_cast<std::size_t>(cell.at[box.axis] - box.low[box.axis])] += cell.pixels;
   // The last coordinate is left out: the upper half must keep a cell. The
   // first one is occupied, as the box is shrunk.
   int best = 0;
@@ -54,13 +53,13 @@ int median_coordinate(const Box& box) {
       best = i;
     }
   }
-  return box.low + best;
+  return box.low[box.axis] + best;
 }
 
 /// Boxes in the order in which they will stand in the LUT.
 class BoxList {
  public:
-  BoxList(std::span<Cell> cells, std::size_t wanted) : wanted_(wanted) {
+  BoxList(std::span<Cell> cells, std::size_t wanted, CutLog* log) : wanted_(wanted), log_(log) {
     boxes_.reserve(wanted);
     boxes_.push_back(shrunk_box(cells));
   }
@@ -104,19 +103,21 @@ class BoxList {
     boxes_[i] = shrunk_box(box.cells.first(lower));
     boxes_.insert(boxes_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                   shrunk_box(box.cells.subspan(lower)));
+    if (log_) log_->splits.push_back({i, box.summary(), box.axis, last, boxes_[i].pixels});
   }
 
   std::size_t wanted_;
+  CutLog* log_;
   std::vector<Box> boxes_;
 };
 
 }  // namespace
 
 std::vector<DacCode> median_cut(std::span<const Cell> cells, std::size_t entries, SplitOrder order,
-                                const Grid& grid) {
+                                const Grid& grid, CutLog* log) {
   if (cells.empty() || entries == 0) return {};
   std::vector<Cell> own(cells.begin(), cells.end());
-  BoxList list(own, entries);
+  BoxList list(own, entries, log);
   switch (order) {
     case SplitOrder::pixels: list.split_greatest([](const Box& box) { return box.pixels; }); break;
     case SplitOrder::longest: list.split_greatest([](const Box& box) { return box.length; }); break;
@@ -127,6 +128,7 @@ std::vector<DacCode> median_cut(std::span<const Cell> cells, std::size_t entries
     PointSum mean;
     for (const Cell& cell : box.cells) mean.add(cell.at, cell.pixels);
     codes.push_back(grid.code(mean));
+    if (log) log->boxes.push_back(box.summary());
   }
   return codes;
 }

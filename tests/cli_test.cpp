@@ -47,7 +47,7 @@ TEST_F(CliTest, VersionAndHelpGoToStandardOutput) {
   EXPECT_EQ(help.err, "");
   for (const std::string command :
        {"render", "probe", "hsv", "lut", "show", "metrics", "table", "check", "trace", "planes",
-        "export", "paint", "cost", "effects"}) {
+        "export", "paint", "cost", "effects", "replay"}) {
     EXPECT_NE(help.out.find("\n  " + command + " "), std::string::npos) << command;
     const Ended own = sir({command, "--help"});
     EXPECT_EQ(own.exit_code, 0) << command;

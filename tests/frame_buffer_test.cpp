@@ -98,5 +98,32 @@ TEST(FrameBuffer, RefusesPlacesOutsideTheScreen) {
   EXPECT_NO_THROW(memory.write_row(1022, 779, two));
 }
 
+TEST(FrameBuffer, FillIsWriteForEachPixel) {
+  std::mt19937 random(9);
+  const auto below = [&](unsigned limit) { return static_cast<int>(random() % limit); };
+  FrameBuffer filled, written;
+  for (int i = 0; i < 300; ++i) {
+    const int column = below(1024), row = below(780);
+    const auto index = static_cast<std::uint8_t>(random());
+    const auto mask = static_cast<std::uint8_t>(below(2) > 0 ? 0xFFu : random());
+    const std::size_t left = static_cast<std::size_t>((780 - row) * 1024 - column);
+    const auto count =
+        std::min(static_cast<std::size_t>(below(2) > 0 ? below(20) : below(5000)), left);
+    filled.set_write_mask(mask);
+    written.set_write_mask(mask);
+    filled.fill(column, row, count, index);
+    for (std::size_t k = 0; k < count; ++k) {
+      const int place = row * 1024 + column + static_cast<int>(k);
+      written.write(place % 1024, place / 1024, index);
+    }
+  }
+  for (int plane = 0; plane < 8; ++plane)
+    ASSERT_TRUE(std::ranges::equal(filled.plane(plane), written.plane(plane))) << plane;
+  filled.fill(1023, 779, 1, 5);
+  EXPECT_THROW(filled.fill(1023, 779, 2, 5), std::out_of_range);
+  EXPECT_THROW(filled.fill(1024, 5, 1, 5), std::out_of_range);
+  EXPECT_THROW(filled.fill(0, -1, 0, 5), std::out_of_range);
+}
+
 }  // namespace
 }  // namespace sir::eltek

@@ -73,6 +73,35 @@ TEST(Ma120, ALineIsARowOfTheScreen) {
   EXPECT_THROW(monitor.scan_line(780, line), std::out_of_range);
 }
 
+TEST(Ma120, WordsAreTheSamePixels) {
+  Ma120 monitor = with_pattern();
+  constexpr std::size_t kStride = 1030;
+  constexpr std::uint32_t kUntouched = 0x12345678;
+  for (const bool blanked : {false, true})
+    for (const std::uint8_t mask : {std::uint8_t{0xFF}, std::uint8_t{0x3C}}) {
+      monitor.blanked = blanked;
+      monitor.lut_ports.write_pixel_mask(mask);
+      std::vector<std::uint32_t> words(kStride * 779 + 1024, kUntouched);
+      monitor.scan_out_argb(words, kStride);
+      const Screen screen = monitor.scan_out();
+      for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::size_t row = i / kStride, column = i % kStride;
+        if (column >= 1024) {
+          ASSERT_EQ(words[i], kUntouched);
+          continue;
+        }
+        const Rgb8 seen = screen.pixels[row * 1024 + column];
+        ASSERT_EQ(words[i], 0xFF000000u + seen.r * 65536u + seen.g * 256u + seen.b) << i;
+      }
+    }
+  std::vector<std::uint32_t> words(1024 * 780);
+  monitor.scan_out_argb(words);
+  EXPECT_THROW(monitor.scan_out_argb(words, 1025), std::invalid_argument);
+  EXPECT_THROW(monitor.scan_out_argb(words, 1023), std::invalid_argument);
+  EXPECT_THROW(monitor.scan_out_argb(std::span(words).first(1024 * 780 - 1)),
+               std::invalid_argument);
+}
+
 TEST(Ma120, ALutWriteShowsAtTheNextScan) {
   Ma120 monitor = with_pattern();
   monitor.lut_ports.write_address(pattern(5, 5));

@@ -90,6 +90,7 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::write(std::span<const std::byte> bytes) {
+  flushed_ = false;
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written < 0) {
@@ -104,9 +105,14 @@ void AtomicFile::write(std::string_view text) {
   write(std::as_bytes(std::span(text.data(), text.size())));
 }
 
-void AtomicFile::commit() {
-  if (!temporary_.empty() && ::fsync(descriptor_) != 0)
+void AtomicFile::flush() {
+  if (!flushed_ && !temporary_.empty() && ::fsync(descriptor_) != 0)
     throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+  flushed_ = true;
+}
+
+void AtomicFile::commit() {
+  flush();
   const int closed = ::close(descriptor_);
   descriptor_ = -1;
   if (closed != 0)

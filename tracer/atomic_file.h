@@ -26,13 +26,17 @@ class AtomicFile {
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
 
-  /// Flushes to the disk and renames over the destination.
+  /// Flushes to the disk: what is still to fail shows here, before any name is taken.
+  void flush();
+
+  /// Flushes, where that is not done, and renames over the destination.
   void commit();
 
  private:
   std::filesystem::path destination_;
   std::filesystem::path temporary_;  // empty when writing directly
   int descriptor_ = -1;
+  bool flushed_ = false;
 };
 
 /// Removes the temporary files of all AtomicFiles that are open: for a signal

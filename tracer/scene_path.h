@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 namespace sir {
@@ -10,8 +11,11 @@ namespace sir {
 std::filesystem::path with_suffix(const std::filesystem::path& base, std::string_view suffix);
 
 /// The existing file BASE.SUFFIX, the suffix (given in upper case) in upper
-/// or lower case, upper case first. Throws FileError that tells where it was
-/// looked for.
+/// or lower case, upper case first; none where neither is there.
+std::optional<std::filesystem::path> existing_by_suffix(const std::filesystem::path& base,
+                                                        std::string_view suffix);
+
+/// The same, but throws FileError that tells where it was looked for.
 std::filesystem::path find_by_suffix(const std::filesystem::path& base, std::string_view suffix);
 
 }  // namespace sir

@@ -6,7 +6,7 @@
 
 namespace sir::viewer {
 
-inline constexpr int kMaxMultiple = 16;
+inline constexpr int kMaxMultiple = 64;
 
 /// A rectangle in window pixels; it may reach beyond the window.
 struct Letterbox {
@@ -20,6 +20,11 @@ struct Letterbox {
 /// The largest multiple, 1..kMaxMultiple, at which the picture fits the
 /// window; 1 where none does.
 int largest_multiple(ImageSize window, ImageSize picture);
+
+/// The next multiple to zoom to, and the one before: 1 to 6 one by one, then in steps of about a
+/// quarter, up to kMaxMultiple and down to 1.
+int next_multiple(int multiple);
+int previous_multiple(int multiple);
 
 /// The picture at a whole multiple, centred. Where it is larger than the
 /// window its centre shows.

@@ -1,9 +1,11 @@
 // SDL2 is loaded when the first of its functions is called, not when the program starts: it
 // brings some forty libraries along, and all but one of our commands open no window. Each
-// function that window.cpp calls is defined here by its own name and passes the call on.
+// function that our files and Dear ImGui's call is defined here by its own name and passes the call
+// on.
 #include <SDL.h>
 #include <dlfcn.h>
 
+#include <cstdarg>
 #include <string>
 
 #include "tracer/error.h"
@@ -13,8 +15,9 @@ namespace {
 void* library() {
   static void* const loaded = ::dlopen("libSDL2-2.0.so.0", RTLD_NOW | RTLD_LOCAL);
   if (loaded == nullptr)
-    throw sir::FileError(
-        "window", 0, std::string("SDL2 cannot be loaded (") + ::dlerror() + "); use --png OUT.png");
+    throw sir::FileError("window", 0,
+                         std::string("SDL2 cannot be loaded (") + ::dlerror() +
+                             "); use --terminal or --png OUT.png");
   return loaded;
 }
 
@@ -83,3 +86,32 @@ PASS_ON(int, SDL_UpdateTexture,
         (SDL_Texture * texture, const SDL_Rect* rect, const void* pixels, int pitch),
         (texture, rect, pixels, pitch))
 PASS_ON(int, SDL_WaitEvent, (SDL_Event * event), (event))
+PASS_ON(Uint32, SDL_GetMouseState, (int* x, int* y), (x, y))
+PASS_ON(void, SDL_free, (void* memory), (memory))
+PASS_ON(int, SDL_SetWindowFullscreen, (SDL_Window * window, Uint32 flags), (window, flags))
+PASS_ON(int, SDL_RenderSetScale, (SDL_Renderer * renderer, float x, float y), (renderer, x, y))
+PASS_ON(void, SDL_RenderGetScale, (SDL_Renderer * renderer, float* x, float* y), (renderer, x, y))
+PASS_ON(void, SDL_RenderGetClipRect, (SDL_Renderer * renderer, SDL_Rect* rect), (renderer, rect))
+PASS_ON(int, SDL_RenderSetClipRect, (SDL_Renderer * renderer, const SDL_Rect* rect),
+        (renderer, rect))
+PASS_ON(void, SDL_RenderGetViewport, (SDL_Renderer * renderer, SDL_Rect* rect), (renderer, rect))
+PASS_ON(int, SDL_RenderSetViewport, (SDL_Renderer * renderer, const SDL_Rect* rect),
+        (renderer, rect))
+PASS_ON(SDL_bool, SDL_RenderIsClipEnabled, (SDL_Renderer * renderer), (renderer))
+PASS_ON(int, SDL_RenderGeometryRaw,
+        (SDL_Renderer * renderer, SDL_Texture* texture, const float* xy, int xy_stride,
+         const SDL_Color* color, int color_stride, const float* uv, int uv_stride, int num_vertices,
+         const void* indices, int num_indices, int size_indices),
+        (renderer, texture, xy, xy_stride, color, color_stride, uv, uv_stride, num_vertices,
+         indices, num_indices, size_indices))
+PASS_ON(void, SDL_LogMessageV,
+        (int category, SDL_LogPriority priority, const char* form, va_list values),
+        (category, priority, form, values))
+
+// The one function with any number of arguments.
+extern "C" void SDLCALL SDL_Log(const char* form, ...) {
+  va_list values;
+  va_start(values, form);
+  SDL_LogMessageV(SDL_LOG_CATEGORY_APPLICATION, SDL_LOG_PRIORITY_INFO, form, values);
+  va_end(values);
+}

@@ -1,205 +1,220 @@
 #include "viewer/window.h"
 
-#include <SDL.h>
-
 #include <algorithm>
 #include <cstdint>
-#include <string_view>
 #include <utility>
 
 #include "tracer/error.h"
-#include "viewer/letterbox.h"
+#include "viewer/argb.h"
+#include "viewer/glass.h"
+#include "viewer/panel.h"
+#include "viewer/sdl_keys.h"
+#include "viewer/sdl_video.h"
 
 namespace sir::viewer {
 namespace {
 
-[[noreturn]] void fail(const std::string& reason) { throw FileError("window", 0, reason); }
-
-constexpr const char* kWayOut =
-    "; run it on a desktop (DISPLAY or WAYLAND_DISPLAY set) or use --png OUT.png";
-
-// SDL's video part for as long as this lives.
-class Video {
- public:
-  Video() {
-    // Ctrl+C stays with the program, the screen saver and compositor with the desktop.
-    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
-    SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
-    SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-    SDL_SetMainReady();
-    if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0)
-      fail(std::string("there is no display: ") + SDL_GetError() + kWayOut);
-    // Without a display SDL takes a driver that shows nothing and reports
-    // success; that is right only for one who asked for it by name.
-    const std::string_view driver = SDL_GetCurrentVideoDriver();
-    const char* asked = SDL_GetHint(SDL_HINT_VIDEODRIVER);
-    const bool by_name = asked != nullptr && driver == asked;
-    if ((driver == "offscreen" || driver == "dummy") && !by_name) {
-      SDL_QuitSubSystem(SDL_INIT_VIDEO);
-      fail(std::string("there is no display") + kWayOut);
-    }
-  }
-  ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
-  Video(const Video&) = delete;
-  Video& operator=(const Video&) = delete;
-};
-
-struct Free {
-  void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
-  void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
-  void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
-};
-template <class Resource>
-using Owned = std::unique_ptr<Resource, Free>;
-
-void check(bool worked, const char* what) {
-  if (!worked) fail(std::string(what) + ": " + SDL_GetError());
+// Wakes the wait for events; any thread may.
+void push(std::uint32_t type) {
+  SDL_Event event{};
+  event.type = type;
+  SDL_PushEvent(&event);
 }
 
-std::uint32_t argb(Rgb8 colour) {
-  return 0xFF000000u | std::uint32_t{colour.r} << 16 | std::uint32_t{colour.g} << 8 | colour.b;
-}
-
-// The digit of a key, by what it types or else by where it lies: on some
-// keyboards the row of digits types them only with Shift. -1 for none.
-int digit_of(const SDL_Keysym& key) {
-  if (key.sym >= SDLK_0 && key.sym <= SDLK_9) return key.sym - SDLK_0;
-  if (key.sym == SDLK_KP_0 || key.scancode == SDL_SCANCODE_0) return 0;
-  if (key.sym >= SDLK_KP_1 && key.sym <= SDLK_KP_9) return key.sym - SDLK_KP_1 + 1;
-  if (key.scancode >= SDL_SCANCODE_1 && key.scancode <= SDL_SCANCODE_9)
-    return key.scancode - SDL_SCANCODE_1 + 1;
-  return -1;
+ViewerOptions waking(ViewerOptions options) {
+  options.workshop.wake = [] { push(SDL_USEREVENT); };
+  return options;
 }
 
 }  // namespace
 
 class Window::Impl {
  public:
-  Impl(std::vector<ShownImage> images, WindowOptions options)
-      : options_(std::move(options)), view_(std::move(images), options_.image_area_only) {
-    const ImageSize size = view_.picture_size();
-    window_.reset(SDL_CreateWindow("", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width,
-                                   size.height, SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
+  Impl(const std::vector<std::filesystem::path>& inputs, ViewerOptions options)
+      : window_(SDL_CreateWindow("SIR", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                                 eltek::Ma120::kSize.width, eltek::Ma120::kSize.height,
+                                 SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI)),
+        renderer_(window_ ? SDL_CreateRenderer(window_.get(), -1, 0) : nullptr),
+        glass_(renderer_.get()),
+        viewer_(waking(std::move(options))) {
     check(window_ != nullptr, "cannot be opened");
-    renderer_.reset(SDL_CreateRenderer(window_.get(), -1, 0));
     check(renderer_ != nullptr, "cannot be drawn to");
-    resize_to(1);
-    multiple_ = 0;  // from now on it follows the window
+    panel_ = make_panel(window_.get(), renderer_.get(), viewer_);
+    for (const auto& input : inputs) viewer_.open(input, false);
+    take_picture_size(1);
     draw();
     SDL_RenderPresent(renderer_.get());
   }
 
   void run(std::stop_token stop) {
-    // Events may be pushed by any thread; this one wakes the wait.
-    const std::stop_callback on_stop(std::move(stop), [] {
-      SDL_Event event{};
-      event.type = SDL_QUIT;
-      SDL_PushEvent(&event);
-    });
-    while (!closed_) {
-      SDL_Event event;
-      check(SDL_WaitEvent(&event) != 0, "gets no events");
-      // All that waits is handled before one drawing answers to it.
-      do handle(event);
-      while (!closed_ && SDL_PollEvent(&event) != 0);
-      if (closed_ || !stale_) continue;
+    const std::stop_callback on_stop(std::move(stop), [] { push(SDL_QUIT); });
+    while (!viewer_.closed()) {
+      handle_events();
+      if (viewer_.closed()) return;
+      if (const std::string reason = viewer_.hopeless(); !reason.empty())
+        throw FileError::repeated(reason);
+      if (!stale()) continue;
       draw();
       SDL_RenderPresent(renderer_.get());
     }
   }
 
-  const ScreenView& view() const { return view_; }
-
-  int multiple() const {
-    return multiple_ > 0 ? multiple_ : largest_multiple(window_size(), view_.picture_size());
+  void settle() {
+    handle_waiting();
+    while (!viewer_.closed() && viewer_.busy()) handle_events();
+    if (!viewer_.closed() && stale()) draw();
   }
+
+  Viewer& viewer() { return viewer_; }
 
   std::string title() const { return SDL_GetWindowTitle(window_.get()); }
 
   eltek::Screen pixels() {
     draw();
-    eltek::Screen screen{window_size(), {}};
+    const PixelSize size = pixel_size(renderer_.get());
+    eltek::Screen screen{{size.width, size.height}, {}};
     std::vector<std::uint32_t> words(screen.size.pixels());
     check(SDL_RenderReadPixels(renderer_.get(), nullptr, SDL_PIXELFORMAT_ARGB8888, words.data(),
                                4 * screen.size.width) == 0,
           "cannot be read back");
-    for (const std::uint32_t word : words)
-      screen.pixels.push_back({static_cast<std::uint8_t>(word >> 16),
-                               static_cast<std::uint8_t>(word >> 8),
-                               static_cast<std::uint8_t>(word)});
+    screen.pixels.resize(words.size());
+    std::transform(words.begin(), words.end(), screen.pixels.begin(), rgb);
     return screen;
   }
 
  private:
-  // In pixels, which on dense displays are finer than window coordinates.
-  ImageSize window_size() const {
-    ImageSize size{0, 0};
-    SDL_GetRendererOutputSize(renderer_.get(), &size.width, &size.height);
-    return size;
+  bool stale() const { return viewer_.stale() || frames_due_ > 0; }
+
+  // Waits for one and handles all that wait with it, before one drawing answers to them.
+  void handle_events() {
+    SDL_Event event;
+    check(SDL_WaitEvent(&event) != 0, "gets no events");
+    handle(event);
+    handle_waiting();
+  }
+
+  void handle_waiting() {
+    SDL_Event event;
+    while (!viewer_.closed() && SDL_PollEvent(&event) != 0) handle(event);
+    viewer_.refresh();
+    follow();
   }
 
   void handle(const SDL_Event& event) {
+    if (panel_ && viewer_.panel_open()) {
+      // A toolkit answers to an event in this drawing and in the next.
+      if (event.type != SDL_USEREVENT) frames_due_ = 2;
+      if (panel_->takes(event)) return;
+    }
     switch (event.type) {
-      case SDL_QUIT: closed_ = true; break;
+      case SDL_QUIT: viewer_.perform(Command::quit); break;
       case SDL_KEYDOWN: press(event.key); break;
+      case SDL_KEYUP: viewer_.release(key_of(event.key.keysym)); break;
+      case SDL_TEXTINPUT: viewer_.type(event.text.text); break;
+      case SDL_MOUSEMOTION: viewer_.point(place(event.motion.x, event.motion.y)); break;
+      case SDL_MOUSEBUTTONDOWN:
+        if (const auto button = button_of(event.button.button))
+          viewer_.press(*button, place(event.button.x, event.button.y));
+        break;
+      case SDL_MOUSEBUTTONUP:
+        if (const auto button = button_of(event.button.button))
+          viewer_.release(*button, place(event.button.x, event.button.y));
+        break;
+      case SDL_MOUSEWHEEL: {
+        int x = 0, y = 0;
+        SDL_GetMouseState(&x, &y);
+        viewer_.wheel(event.wheel.y, place(x, y));
+        break;
+      }
+      case SDL_DROPFILE:
+        viewer_.open(event.drop.file, true);
+        SDL_free(event.drop.file);
+        break;
       case SDL_WINDOWEVENT:
         if (event.window.event == SDL_WINDOWEVENT_EXPOSED ||
             event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED)
-          stale_ = true;
+          frames_due_ = std::max(frames_due_, 1);
         break;
       case SDL_RENDER_TARGETS_RESET:
       case SDL_RENDER_DEVICE_RESET:
-        texture_.reset();  // its content is lost
-        stale_ = true;
+        glass_.forget();  // its content is lost
+        frames_due_ = std::max(frames_due_, 1);
         break;
       default: break;
     }
   }
 
-  void press(const SDL_KeyboardEvent& key) {
-    // Combinations belong to the desktop.
-    if ((key.keysym.mod & (KMOD_CTRL | KMOD_LALT | KMOD_GUI)) != 0) return;
-    stale_ = true;
-    status_.clear();
-    switch (key.keysym.sym) {
-      case SDLK_ESCAPE:
-      case SDLK_q: closed_ = true; return;
-      case SDLK_RIGHT:
-      case SDLK_DOWN:
-      case SDLK_PAGEDOWN: view_.next(); return;
-      case SDLK_LEFT:
-      case SDLK_UP:
-      case SDLK_PAGEUP: view_.previous(); return;
-      case SDLK_PLUS:
-      case SDLK_EQUALS:  // + without Shift
-      case SDLK_KP_PLUS: resize_to(multiple() + 1); return;
-      case SDLK_MINUS:
-      case SDLK_KP_MINUS: resize_to(multiple() - 1); return;
-      case SDLK_f: multiple_ = 0; return;
-      default: break;
-    }
-    if (key.repeat != 0) return;  // a held key toggles, or saves, once
-    if (key.keysym.sym == SDLK_s) return save();
-    const int digit = digit_of(key.keysym);
-    if (digit == 0) view_.all_planes();
-    if (digit >= 1 && digit <= 8) view_.toggle_plane(digit - 1);
+  void press(const SDL_KeyboardEvent& event) {
+    const Key key = key_of(event.keysym);
+    const bool super = (event.keysym.mod & KMOD_GUI) != 0;  // belongs to the desktop
+    if (key.code == 0 || super) return;
+    const auto command = command_for(key);
+    // A held key moves and zooms again and again; it toggles, and saves, once.
+    if (event.repeat != 0 && command && !repeats(*command) && !viewer_.prompt().open()) return;
+    const int before = viewer_.viewport().multiple();
+    viewer_.press(key);
+    if (command == Command::zoom_in || command == Command::zoom_out ||
+        command == Command::actual_size)
+      if (viewer_.viewport().multiple() != before) take_picture_size(viewer_.viewport().multiple());
   }
 
-  // The window takes the picture's new size, as far as the desktop has room.
-  void resize_to(int multiple) {
-    multiple_ = std::clamp(multiple, 1, kMaxMultiple);
+  // Mouse events come in the window's units.
+  Place place(int x, int y) const {
+    const auto [units, pixels] = widths();
+    return {x * pixels / units, y * pixels / units};
+  }
+
+  std::pair<int, int> widths() const {
+    int units = 0;
+    SDL_GetWindowSize(window_.get(), &units, nullptr);
+    return {std::max(units, 1), std::max(pixel_size(renderer_.get()).width, 1)};
+  }
+
+  // What the viewer decided about the window itself.
+  void follow() {
+    const bool full = (SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_FULLSCREEN_DESKTOP) ==
+                      SDL_WINDOW_FULLSCREEN_DESKTOP;
+    if (full != viewer_.full_screen())
+      SDL_SetWindowFullscreen(
+          window_.get(), viewer_.full_screen() ? std::uint32_t{SDL_WINDOW_FULLSCREEN_DESKTOP} : 0);
+    // The first picture decides how large the window is.
+    if (!sized_ && viewer_.side(0).rendition()) {
+      sized_ = true;
+      take_picture_size(1);
+    }
+    if (panel_ && viewer_.panel_open() != panel_was_open_) {
+      panel_was_open_ = viewer_.panel_open();
+      frames_due_ = 2;
+      take_picture_size(viewer_.viewport().multiple());
+    }
+  }
+
+  int panel_width() const { return panel_ && viewer_.panel_open() ? panel_->width() * scale() : 0; }
+
+  // Letters are drawn larger on dense displays.
+  int scale() const {
+    const auto [units, pixels] = widths();
+    return std::max(1, (pixels + units / 2) / units);
+  }
+
+  // The window takes the picture's size at a multiple, as far as the desktop has room.
+  void take_picture_size(int multiple) {
     const std::uint32_t flags = SDL_GetWindowFlags(window_.get());
     if ((flags & (SDL_WINDOW_MAXIMIZED | SDL_WINDOW_FULLSCREEN)) != 0) return;
     SDL_Rect room{};
     const int display = SDL_GetWindowDisplayIndex(window_.get());
     if (display < 0 || SDL_GetDisplayUsableBounds(display, &room) != 0) return;
-    int units = 0;
-    SDL_GetWindowSize(window_.get(), &units, nullptr);
-    const int pixels = std::max(window_size().width, 1);
-    const auto in_units = [&](int length) { return length * multiple_ * units / pixels; };
-    const ImageSize size = view_.picture_size();
-    const int width = std::min(in_units(size.width), room.w);
-    const int height = std::min(in_units(size.height), room.h);
+    const auto [units, pixels] = widths();
+    const auto in_units = [units = units, pixels = pixels](std::int64_t length) {
+      return length * units / pixels;
+    };
+    const ImageSize size = viewer_.side(0).station().seen_area().size;
+    const auto wanted = [&](int length, int more) {
+      return in_units(std::int64_t{length} * multiple + more);
+    };
+    const int width =
+        static_cast<int>(std::min<std::int64_t>(wanted(size.width, panel_width()), room.w));
+    const int height = static_cast<int>(std::min<std::int64_t>(wanted(size.height, 0), room.h));
     SDL_SetWindowSize(window_.get(), width, height);
     // It must not grow beyond the desktop's edge.
     int x = 0, y = 0;
@@ -208,72 +223,41 @@ class Window::Impl {
                           std::clamp(y, room.y, room.y + room.h - height));
   }
 
-  // The show goes on where a screenshot cannot be written.
-  void save() {
-    try {
-      status_ = "saved " + view_.save_capture(options_.screenshots).string();
-    } catch (const FileError& error) {
-      status_ = error.what();
-    }
-    options_.report(status_);
-  }
-
   void draw() {
-    const eltek::Screen picture = view_.picture();
-    upload(picture);
-    const Letterbox box = centre(window_size(), picture.size, multiple());
-    const SDL_Rect target{box.x, box.y, box.width, box.height};
+    const PixelSize size = pixel_size(renderer_.get());
+    viewer_.set_window({std::max(1, size.width - panel_width()), size.height});
+    viewer_.set_panel_shown(panel_width() > 0);
     SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 255);
     check(SDL_RenderClear(renderer_.get()) == 0, "cannot be drawn to");
-    check(SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, &target) == 0,
-          "cannot be drawn to");
-    std::string title = view_.title() + " - " + std::to_string(multiple()) + "x";
-    if (!status_.empty()) title += " - " + status_;
-    SDL_SetWindowTitle(window_.get(), title.c_str());
-    stale_ = false;
+    glass_.draw(viewer_, scale());
+    if (panel_ && viewer_.panel_open()) panel_->draw();
+    SDL_SetWindowTitle(window_.get(), viewer_.title().c_str());
+    frames_due_ = std::max(0, frames_due_ - 1);
+    viewer_.drawn();
   }
 
-  void upload(const eltek::Screen& picture) {
-    int width = 0, height = 0;
-    if (texture_) SDL_QueryTexture(texture_.get(), nullptr, nullptr, &width, &height);
-    if (ImageSize{width, height} != picture.size) {
-      texture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_ARGB8888,
-                                       SDL_TEXTUREACCESS_STREAMING, picture.size.width,
-                                       picture.size.height));
-      check(texture_ != nullptr, "cannot hold the screen");
-      // The hint for nearest scaling loses to a variable of the environment.
-      SDL_SetTextureScaleMode(texture_.get(), SDL_ScaleModeNearest);
-      SDL_SetTextureBlendMode(texture_.get(), SDL_BLENDMODE_NONE);
-    }
-    words_.resize(picture.pixels.size());
-    std::transform(picture.pixels.begin(), picture.pixels.end(), words_.begin(), argb);
-    check(SDL_UpdateTexture(texture_.get(), nullptr, words_.data(), 4 * picture.size.width) == 0,
-          "cannot hold the screen");
-  }
-
-  WindowOptions options_;
-  ScreenView view_;
   Video video_;
   Owned<SDL_Window> window_;
   Owned<SDL_Renderer> renderer_;
-  Owned<SDL_Texture> texture_;
-  std::vector<std::uint32_t> words_;
-  std::string status_;
-  int multiple_ = 0;  // 0: the largest that fits
-  bool stale_ = false;
-  bool closed_ = false;
+  Glass glass_;
+  Viewer viewer_;  // its threads wake the window: it goes first
+  std::unique_ptr<Panel> panel_;
+  bool sized_ = false, panel_was_open_ = false;
+  int frames_due_ = 0;
 };
 
-Window::Window(std::vector<ShownImage> images, WindowOptions options)
-    : impl_(std::make_unique<Impl>(std::move(images), std::move(options))) {}
+Window::Window(const std::vector<std::filesystem::path>& inputs, ViewerOptions options)
+    : impl_(std::make_unique<Impl>(inputs, std::move(options))) {}
 
 Window::~Window() = default;
 
 void Window::run(std::stop_token stop) { impl_->run(std::move(stop)); }
 
-const ScreenView& Window::view() const { return impl_->view(); }
+void Window::settle() { impl_->settle(); }
 
-int Window::multiple() const { return impl_->multiple(); }
+const Viewer& Window::viewer() const { return impl_->viewer(); }
+
+Viewer& Window::viewer() { return impl_->viewer(); }
 
 std::string Window::title() const { return impl_->title(); }
 

@@ -1,55 +1,40 @@
-// The MA120's screen in a window: the only user of SDL2 (thesis 3.5).
+// The viewer in a window: one of the three users of SDL2 (thesis 3.5).
 // Present only in builds with SIR_WITH_SDL.
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "eltek/screen.h"
-#include "viewer/screen_view.h"
+#include "viewer/viewer.h"
 
 namespace sir::viewer {
 
-struct WindowOptions {
-  bool image_area_only = false;             ///< see ScreenView
-  std::filesystem::path screenshots = ".";  ///< folder of the screenshots
-  /// Told where a screenshot went, or why it went nowhere.
-  std::function<void(const std::string&)> report = [](const std::string&) {};
-};
-
-/// A resizable window with the screen at a whole multiple, nearest pixel,
-/// centred. Keys:
+/// A resizable window with the screen at a whole multiple, nearest pixel, and what viewer/viewer.h
+/// lets a person do to it; the keys are those of viewer/commands.h, and ? shows them.
 ///
-///   arrows, Page Up and Down   previous and next image, each with its LUT
-///   1 to 8                     a plane on and off;  0  all planes on
-///   + and -                    multiple; the window follows where it can
-///   F                          the largest multiple that fits (as at first)
-///   S                          saves the indexed screen as a PNG
-///   Esc, Q                     closes the window
-///
-/// It is drawn when something changes or the desktop asks for it, never by
-/// the clock.
+/// It is drawn when something changes or the desktop asks for it, never by the clock.
 class Window {
  public:
-  /// Opens the window. Throws FileError where there is no display (also where
-  /// SDL would draw to none in silence) and for images that do not fit.
-  Window(std::vector<ShownImage> images, WindowOptions options);
+  /// Opens the window, and the inputs in the background. Throws FileError where there is no
+  /// display (also where SDL would draw to none in silence).
+  Window(const std::vector<std::filesystem::path>& inputs, ViewerOptions options);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Handles events until the window is closed, or `stop` is requested from
-  /// wherever.
+  /// Handles events until the window is closed, or `stop` is requested from wherever. Throws
+  /// FileError where none of the inputs can be shown at first: then there is nothing to look at.
   void run(std::stop_token stop = {});
 
-  const ScreenView& view() const;
+  /// Handles events until all that was asked for is on the screen, or the window is closed.
+  void settle();
 
-  /// The multiple at which the screen is drawn now.
-  int multiple() const;
+  const Viewer& viewer() const;
+  Viewer& viewer();
 
   /// The title as it is set now.
   std::string title() const;

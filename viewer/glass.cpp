@@ -1,0 +1,74 @@
+#include "viewer/glass.h"
+
+#include <algorithm>
+
+#include "viewer/overlay.h"
+
+namespace sir::viewer {
+namespace {
+
+// Canvas leaves colours over nothing multiplied by their alpha; SDL's blending multiplies itself.
+void divide_by_alpha(std::vector<std::uint32_t>& words) {
+  for (std::uint32_t& word : words) {
+    const std::uint32_t alpha = word >> 24;
+    if (alpha == 0 || alpha == 255) continue;
+    std::uint32_t divided = alpha << 24;
+    for (const int shift : {16, 8, 0})
+      divided |= std::min((word >> shift & 0xFF) * 255 / alpha, 255u) << shift;
+    word = divided;
+  }
+}
+
+}  // namespace
+
+void Glass::draw(Viewer& viewer, int scale) {
+  draw_picture(viewer);
+  if (has_overlay(viewer)) draw_text(viewer, scale);
+}
+
+void Glass::forget() {
+  picture_.reset();
+  text_.reset();
+}
+
+void Glass::fit(Owned<SDL_Texture>& texture, ImageSize size, SDL_BlendMode blend) {
+  ImageSize now{0, 0};
+  if (texture) SDL_QueryTexture(texture.get(), nullptr, nullptr, &now.width, &now.height);
+  if (texture && now == size) return;
+  texture.reset(SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING,
+                                  size.width, size.height));
+  check(texture != nullptr, "cannot hold the screen");
+  // The hint for nearest scaling loses to a variable of the environment.
+  SDL_SetTextureScaleMode(texture.get(), SDL_ScaleModeNearest);
+  SDL_SetTextureBlendMode(texture.get(), blend);
+}
+
+void Glass::draw_picture(Viewer& viewer) {
+  const Frame& frame = viewer.picture();
+  fit(picture_, frame.size, SDL_BLENDMODE_NONE);
+  check(SDL_UpdateTexture(picture_.get(), nullptr, frame.words.data(), 4 * frame.size.width) == 0,
+        "cannot hold the screen");
+  // Only what can be seen: at large multiples the whole would exceed what renderers can place.
+  const Letterbox seen = viewer.viewport().visible(), box = viewer.viewport().box();
+  const int m = viewer.viewport().multiple();
+  const SDL_Rect from{seen.x, seen.y, seen.width, seen.height};
+  const SDL_Rect to{box.x + seen.x * m, box.y + seen.y * m, seen.width * m, seen.height * m};
+  if (seen.width > 0 && seen.height > 0)
+    check(SDL_RenderCopy(renderer_, picture_.get(), &from, &to) == 0, "cannot be drawn to");
+}
+
+void Glass::draw_text(Viewer& viewer, int scale) {
+  const ImageSize size = viewer.viewport().window();
+  if (size.width < 1 || size.height < 1) return;
+  words_.assign(size.pixels(), 0);
+  Canvas canvas(words_, size);
+  draw_overlay(canvas, viewer, scale);
+  divide_by_alpha(words_);
+  fit(text_, size, SDL_BLENDMODE_BLEND);
+  const SDL_Rect to{0, 0, size.width, size.height};
+  check(SDL_UpdateTexture(text_.get(), nullptr, words_.data(), 4 * size.width) == 0 &&
+            SDL_RenderCopy(renderer_, text_.get(), nullptr, &to) == 0,
+        "cannot be drawn to");
+}
+
+}  // namespace sir::viewer

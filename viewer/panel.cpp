@@ -1,0 +1,92 @@
+// The panel's frame: Dear ImGui between SDL's events and SDL's renderer.
+#include "viewer/panel.h"
+
+#include <backends/imgui_impl_sdlrenderer.h>
+#include <imgui.h>
+
+#include "viewer/panel_input.h"
+#include "viewer/panel_parts.h"
+
+namespace sir::viewer {
+namespace {
+
+constexpr int kPanelWidth = 340;
+
+class ImGuiPanel final : public Panel {
+ public:
+  ImGuiPanel(SDL_Window* window, SDL_Renderer* renderer, Viewer& viewer)
+      : window_(window), renderer_(renderer), viewer_(viewer) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // leaves no files behind
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowBorderSize = 0;
+    style.AntiAliasedLines = style.AntiAliasedFill = false;  // SDL's software renderer has none
+    ImGui_ImplSDLRenderer_Init(renderer);
+  }
+  ~ImGuiPanel() override { ImGui_ImplSDLRenderer_Shutdown(); }
+
+  int width() const override { return kPanelWidth; }
+
+  bool takes(const SDL_Event& event) override {
+    input_.pass(event);
+    const ImGuiIO& io = ImGui::GetIO();
+    switch (event.type) {
+      case SDL_MOUSEMOTION: return is_within(event.motion.x) || io.WantCaptureMouse;
+      case SDL_MOUSEBUTTONDOWN: return is_within(event.button.x);
+      case SDL_MOUSEBUTTONUP: return false;  // a drag may end anywhere
+      case SDL_MOUSEWHEEL: return is_within(static_cast<int>(io.MousePos.x));
+      case SDL_TEXTINPUT:
+      case SDL_KEYDOWN: return io.WantTextInput;
+      default: return false;
+    }
+  }
+
+  void draw() override {
+    input_.begin_frame(window_, renderer_);
+    ImGui_ImplSDLRenderer_NewFrame();
+    ImGui::NewFrame();
+    const ImGuiIO& io = ImGui::GetIO();
+    ImGui::SetNextWindowPos({io.DisplaySize.x - kPanelWidth, 0});
+    ImGui::SetNextWindowSize({kPanelWidth, io.DisplaySize.y});
+    ImGui::Begin("panel", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                     ImGuiWindowFlags_NoNav);
+    parts_.draw(viewer_);
+    ImGui::End();
+    ImGui::Render();
+    // The backend leaves the density of the pixels to the renderer's scale.
+    SDL_RenderSetScale(renderer_, io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y);
+    ImGui_ImplSDLRenderer_RenderDrawData(ImGui::GetDrawData());
+    SDL_RenderSetScale(renderer_, 1, 1);
+  }
+
+ private:
+  bool is_within(int x) const {
+    int width = 0;
+    SDL_GetWindowSize(window_, &width, nullptr);
+    return x >= width - kPanelWidth;
+  }
+
+  struct Context {
+    Context() { ImGui::CreateContext(); }
+    ~Context() { ImGui::DestroyContext(); }
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+  };
+
+  Context context_;
+  SDL_Window* window_;
+  SDL_Renderer* renderer_;
+  Viewer& viewer_;
+  PanelInput input_;
+  PanelParts parts_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> make_panel(SDL_Window* window, SDL_Renderer* renderer, Viewer& viewer) {
+  return std::make_unique<ImGuiPanel>(window, renderer, viewer);
+}
+
+}  // namespace sir::viewer

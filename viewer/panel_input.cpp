@@ -1,0 +1,89 @@
+#include "viewer/panel_input.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "viewer/sdl_video.h"
+
+namespace sir::viewer {
+namespace {
+
+constexpr std::array kKeys{
+    std::pair{ImGuiKey_Tab, SDL_SCANCODE_TAB},
+    std::pair{ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
+    std::pair{ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT},
+    std::pair{ImGuiKey_UpArrow, SDL_SCANCODE_UP},
+    std::pair{ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},
+    std::pair{ImGuiKey_PageUp, SDL_SCANCODE_PAGEUP},
+    std::pair{ImGuiKey_PageDown, SDL_SCANCODE_PAGEDOWN},
+    std::pair{ImGuiKey_Home, SDL_SCANCODE_HOME},
+    std::pair{ImGuiKey_End, SDL_SCANCODE_END},
+    std::pair{ImGuiKey_Delete, SDL_SCANCODE_DELETE},
+    std::pair{ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
+    std::pair{ImGuiKey_Enter, SDL_SCANCODE_RETURN},
+    std::pair{ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
+};
+
+std::size_t button_of(std::uint8_t button) {
+  return button == SDL_BUTTON_LEFT ? 0u : button == SDL_BUTTON_RIGHT ? 1u : 2u;
+}
+
+}  // namespace
+
+PanelInput::PanelInput() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.BackendPlatformName = "sir";
+  for (const auto& [key, scancode] : kKeys) io.KeyMap[key] = scancode;
+}
+
+void PanelInput::pass(const SDL_Event& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  const auto place = [](int x, int y) {
+    return ImVec2(static_cast<float>(x), static_cast<float>(y));
+  };
+  switch (event.type) {
+    case SDL_MOUSEMOTION: io.MousePos = place(event.motion.x, event.motion.y); break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+      io.MousePos = place(event.button.x, event.button.y);
+      if (event.button.button <= SDL_BUTTON_RIGHT) {
+        const std::size_t button = button_of(event.button.button);
+        held_[button] = event.type == SDL_MOUSEBUTTONDOWN;
+        pressed_[button] |= held_[button];
+      }
+      break;
+    case SDL_MOUSEWHEEL: io.MouseWheel += static_cast<float>(event.wheel.y); break;
+    case SDL_TEXTINPUT: io.AddInputCharactersUTF8(event.text.text); break;
+    case SDL_KEYDOWN:
+    case SDL_KEYUP: {
+      const auto key = static_cast<std::size_t>(event.key.keysym.scancode);
+      if (key < std::size(io.KeysDown)) io.KeysDown[key] = event.type == SDL_KEYDOWN;
+      io.KeyShift = (event.key.keysym.mod & KMOD_SHIFT) != 0;
+      io.KeyCtrl = (event.key.keysym.mod & KMOD_CTRL) != 0;
+      io.KeyAlt = (event.key.keysym.mod & KMOD_ALT) != 0;
+      break;
+    }
+    default: break;
+  }
+}
+
+void PanelInput::begin_frame(SDL_Window* window, SDL_Renderer* renderer) {
+  ImGuiIO& io = ImGui::GetIO();
+  int width = 0, height = 0;
+  SDL_GetWindowSize(window, &width, &height);
+  const PixelSize pixels = pixel_size(renderer);
+  io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
+  io.DisplayFramebufferScale =
+      ImVec2(static_cast<float>(pixels.width) / static_cast<float>(std::max(width, 1)),
+             static_cast<float>(pixels.height) / static_cast<float>(std::max(height, 1)));
+  for (std::size_t i = 0; i < held_.size(); ++i) io.MouseDown[i] = held_[i] || pressed_[i];
+  pressed_ = {};
+  // Nothing in the panel moves by itself; any step of time does, and this one makes the same
+  // events give the same picture.
+  io.DeltaTime = 1.0f / 60;
+}
+
+}  // namespace sir::viewer

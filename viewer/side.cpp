@@ -1,0 +1,55 @@
+#include "viewer/side.h"
+
+#include <utility>
+
+#include "tracer/error.h"
+
+namespace sir::viewer {
+
+Method Side::method_for(const Picture& picture, const RenditionOptions& options) const {
+  if (chosen_) return *chosen_;
+  return lut_file(picture.base, options) ? Method::lut_file : Method::hsv_median;
+}
+
+bool Side::update(Workshop& workshop, std::size_t number, const RenditionOptions& options) {
+  const auto latest = workshop.state(number).picture;
+  if (!latest) return false;
+  const Method wanted = method_for(*latest, options);
+  // True colour lies over the screen of some LUT, which the border around the image still shows.
+  Method on_screen = wanted;
+  if (wanted == Method::true_colour)
+    on_screen = rendition_ ? rendition_->method : Method::hsv_median;
+  const Workshop::Shown shown = workshop.shown(number, on_screen);
+  std::string error = workshop.rendition_error(number, on_screen);
+  waiting_ = !shown.current && error.empty();
+  if (!shown.rendition) {
+    const bool news = error != error_;
+    error_ = std::move(error);
+    return news;
+  }
+  const bool same_screen = shown.rendition == rendition_;
+  const bool changed = !same_screen || shown.picture != picture_ || wanted != shown_method_;
+  if (!changed) {
+    if (fits_) error_ = std::move(error);
+    return false;
+  }
+  error_ = std::move(error);
+  picture_ = shown.picture;
+  rendition_ = shown.rendition;
+  shown_method_ = wanted;
+  if (!same_screen) show_again();
+  return true;
+}
+
+void Side::show_again() {
+  if (!rendition_) return;
+  try {
+    station_.show(picture_->input.string(), picture_->planes.size, *rendition_);
+    fits_ = true;
+  } catch (const FileError& error) {
+    error_ = error.what();
+    fits_ = false;
+  }
+}
+
+}  // namespace sir::viewer

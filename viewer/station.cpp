@@ -1,0 +1,59 @@
+#include "viewer/station.h"
+
+#include <algorithm>
+
+#include "viewer/argb.h"
+
+namespace sir::viewer {
+
+void Station::show(const std::string& name, ImageSize size, const Rendition& rendition) {
+  const auto oversize = image_area_only_ ? eltek::Oversize::crop : eltek::Oversize::refuse;
+  const eltek::Placement placement = eltek::place(name, size, oversize);
+  if (monitor_.dac() != rendition.lut.dac) bus_.power_cycle(rendition.lut.dac);
+  eltek::show_image(bus_, {name, size, rendition.indices}, rendition.lut, oversize,
+                    rendition.reserved);
+  placement_ = placement;
+  seen_area_ = image_area_only_ ? placement.on_screen : eltek::Area{0, 0, eltek::Ma120::kSize};
+  if (planes_ != 0xFF) bus_.write(eltek::Port::pixel_mask, planes_);
+}
+
+void Station::set_planes(std::uint8_t mask) {
+  if (mask == planes_) return;
+  planes_ = mask;
+  bus_.write(eltek::Port::pixel_mask, mask);
+}
+
+std::optional<Place> Station::image_pixel(Place seen) const {
+  const eltek::Area& area = placement_.on_screen;
+  const Place within{seen.x + seen_area_.column - area.column, seen.y + seen_area_.row - area.row};
+  if (within.x < 0 || within.y < 0 || within.x >= area.size.width || within.y >= area.size.height)
+    return std::nullopt;
+  return Place{within.x + placement_.image_column, within.y + placement_.image_row};
+}
+
+std::optional<Place> Station::seen_pixel(Place image) const {
+  const eltek::Area& area = placement_.on_screen;
+  const Place within{image.x - placement_.image_column, image.y - placement_.image_row};
+  if (within.x < 0 || within.y < 0 || within.x >= area.size.width || within.y >= area.size.height)
+    return std::nullopt;
+  return Place{within.x + area.column - seen_area_.column, within.y + area.row - seen_area_.row};
+}
+
+void Station::scan_out(Frame& frame, const eltek::Crt* crt) const {
+  frame.size = seen_area_.size;
+  frame.words.resize(frame.size.pixels());
+  if (crt != nullptr) {
+    const eltek::IndexedScreen screen = capture();
+    const auto palette = crt->palette(screen);
+    for (std::size_t i = 0; i < frame.words.size(); ++i)
+      frame.words[i] = argb(palette[screen.indices[i]]);
+  } else if (frame.size == eltek::Ma120::kSize) {
+    monitor_.scan_out_argb(frame.words);
+  } else {
+    const eltek::Screen screen = picture();
+    std::transform(screen.pixels.begin(), screen.pixels.end(), frame.words.begin(),
+                   [](Rgb8 colour) { return argb(colour); });
+  }
+}
+
+}  // namespace sir::viewer
