@@ -36,7 +36,8 @@ void add_show(CLI::App& app, Action& action) {
       ->required();
   sub->add_option("--lut", options->lut, "the LUT (BASE.LUT, else median in hsv)")
       ->type_name("FILE");
-  sub->add_option("--png", options->png, "write the screen as indexed PNG, open no window")
+  sub->add_option("--png", options->png,
+                  "write the screen as a PNG, indexed, or RGB with --monitor crt; open no window")
       ->type_name("OUT.png");
   sub->add_option("--trace", options->trace,
                   "write what was done at the MA120's registers, for sir replay")

@@ -24,11 +24,16 @@ volatile sig_atomic_t arrived = 0;
 
 extern "C" void remember_signal(int number) { arrived = number; }
 
-// Signals that would end or stop us come only after this is gone.
+// Signals that would end or stop us come only after this is gone. This thread takes them, and only
+// while it waits (mask_to_wait), so that none slips in between a look at `arrived` and the wait.
 class SignalsHeld {
  public:
   SignalsHeld() {
     arrived = 0;
+    sigset_t ours;
+    sigemptyset(&ours);
+    for (const int number : kNumbers) sigaddset(&ours, number);
+    ::pthread_sigmask(SIG_BLOCK, &ours, &mask_);
     struct sigaction remember {};
     remember.sa_handler = remember_signal;
     for (std::size_t i = 0; i < kNumbers.size(); ++i)
@@ -38,13 +43,17 @@ class SignalsHeld {
     for (std::size_t i = 0; i < kNumbers.size(); ++i)
       ::sigaction(kNumbers[i], &before_[i], nullptr);
     if (arrived != 0) ::raise(arrived);
+    ::pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
   }
   SignalsHeld(const SignalsHeld&) = delete;
   SignalsHeld& operator=(const SignalsHeld&) = delete;
 
+  const sigset_t& mask_to_wait() const { return mask_; }
+
  private:
   static constexpr std::array kNumbers{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
   std::array<struct sigaction, kNumbers.size()> before_{};
+  sigset_t mask_{};
 };
 
 // No echo, and bytes as they come.
@@ -107,7 +116,9 @@ std::optional<std::string> device_attributes(int descriptor, milliseconds patien
     const auto left = std::chrono::ceil<milliseconds>(end - steady_clock::now());
     if (left.count() <= 0) return std::nullopt;
     pollfd ready{descriptor, POLLIN, 0};
-    const int count = ::poll(&ready, 1, static_cast<int>(left.count()));
+    const timespec limit{static_cast<time_t>(left.count() / 1000),
+                         static_cast<long>(left.count() % 1000) * 1'000'000};
+    const int count = ::ppoll(&ready, 1, &limit, &held.mask_to_wait());
     if (count < 0 && errno != EINTR) return std::nullopt;
     if (count <= 0) continue;
     std::array<char, 256> chunk;
