@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -48,6 +49,19 @@ TEST(Commands, EachStandsInTheTableOnceWithAKeyAndANameThatCanBeWritten) {
     while (!rest.empty()) EXPECT_TRUE(has_glyph(take_character(rest))) << info.name;
   }
   EXPECT_EQ(seen.size(), static_cast<std::size_t>(Command::quit) + 1);
+}
+
+TEST(Commands, TheManualHasThemAllWithTheirKeys) {
+  std::ifstream file(SIR_DOCS "/viewer.md");
+  const std::string manual{std::istreambuf_iterator<char>(file), {}};
+  for (const CommandInfo& info : commands()) {
+    if (info.command >= Command::plane_1 && info.command <= Command::plane_8) continue;
+    std::string keys;
+    for (const std::string_view key : info.keys)
+      keys.append(keys.empty() ? "`" : ", `").append(key).append("`");
+    const std::string line = "| " + keys + " | " + std::string(info.name) + " |\n";
+    EXPECT_NE(manual.find(line), std::string::npos) << line;
+  }
 }
 
 TEST(Commands, AreFoundByPartsOfTheirNames) {

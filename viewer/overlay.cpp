@@ -33,7 +33,8 @@ void draw_values(Canvas& canvas, const Frame& picture, const Viewport& viewport,
     }
 }
 
-// The line of the duel, and which method is on which side of it.
+// The line of the duel, and which method is on which side of it; while the map of the winners is
+// shown also the colours that stand for them.
 void draw_split(Canvas& canvas, const Viewer& viewer, int scale) {
   const Letterbox box = viewer.viewport().box();
   const int x = box.x + viewer.split_column() * viewer.viewport().multiple();
@@ -44,10 +45,12 @@ void draw_split(Canvas& canvas, const Viewer& viewer, int scale) {
     const bool active = viewer.active_side() == side;
     const std::string text =
         std::string(side == 0 ? "A " : "B ") + std::string(name(viewer.side(side).shown_method()));
-    const int width = text_width(text, scale) + 2 * kMargin;
+    const int swatch = viewer.map() == Map::duel ? height : 0;
+    const int width = text_width(text, scale) + 2 * kMargin + swatch;
     const int left = side == 0 ? x - 2 - width : x + 2;
     canvas.fill({left, 2, width, height}, kPanel);
-    canvas.text(left + kMargin, 2 + kMargin, text, active ? kAccent : kInk, scale);
+    canvas.fill({left, 2, swatch, height}, argb(side == 0 ? kColourOfA : kColourOfB));
+    canvas.text(left + swatch + kMargin, 2 + kMargin, text, active ? kAccent : kInk, scale);
   }
 }
 

@@ -36,7 +36,8 @@ Viewer::Viewer(ViewerOptions options)
       sides_{Side(options_.image_area_only), Side(options_.image_area_only)},
       findings_(workshop_.worker()),
       crt_on_(options_.crt.has_value()),
-      crt_(options_.crt.value_or(eltek::CrtOptions{})) {
+      crt_(options_.crt.value_or(eltek::CrtOptions{})),
+      tube_(eltek::CrtOptions{.tube = crt_.options().tube}) {
   if (options_.listener != nullptr) sides_[0].station().add_listener(*options_.listener);
   viewport_.set_picture(sides_[0].station().seen_area().size);
   split_column_ = eltek::Ma120::kSize.width / 2;
@@ -120,15 +121,23 @@ void Viewer::compose() {
 void Viewer::compose_side(int which, Frame& frame) {
   const Side& shown = side(which);
   const Station& station = shown.station();
-  station.scan_out(frame, crt_on_ ? &crt_ : nullptr);
+  station.scan_out(frame, crt_on_ ? &tube_ : nullptr);
   const auto lay = [&](const Planes& image) {
     if (shown.picture() && image.size == shown.picture()->planes.size)
       lay_over(frame, image, station.placement(), station.seen_area());
   };
   if (!shown.picture() || !shown.fits()) return;
-  if (reference_held_ || shown.true_colour()) return lay(shown.picture()->planes);
+  if (reference_held_ || shown.true_colour())
+    return lay(crt_on_ ? through_tube(shown.picture()->planes) : shown.picture()->planes);
   if (const Planes* map = findings_.map(which)) lay(*map);
   else if (entry()) leave_entry(frame, station.capture().indices, *entry());
+}
+
+// Colours without a LUT on the same monitor, so that a flip compares colours and no monitors.
+Planes Viewer::through_tube(const Planes& image) const {
+  eltek::Screen screen{image.size, std::vector<Rgb8>(image.size.pixels())};
+  for (std::size_t i = 0; i < screen.pixels.size(); ++i) screen.pixels[i] = image.at(i);
+  return eltek::to_planes(tube_.show(screen));
 }
 
 void Viewer::compose_trace() {

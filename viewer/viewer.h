@@ -183,6 +183,7 @@ class Viewer {
   void compose();
   std::vector<std::string> inspect_machine(Place at) const;
   void compose_trace();
+  Planes through_tube(const Planes& image) const;
   void compose_side(int which, Frame& frame);
 
   ViewerOptions options_;
@@ -200,7 +201,7 @@ class Viewer {
   Map map_ = Map::none;
   Findings findings_;
   bool crt_on_ = false;
-  eltek::Crt crt_;
+  eltek::Crt crt_, tube_;  // with all its effects, and with those that follow every key
   std::unique_ptr<eltek::TracePlayer> player_;
   std::string trace_name_;
   Viewport viewport_;
