@@ -1,0 +1,43 @@
+// The words behind a command, taken one after the other.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "modeler/commands.h"
+#include "modeler/interpreter.h"
+
+namespace sir::modeler {
+
+/// Every kind of word that is missing or wrong throws CommandError, which shows the command's form.
+class Interpreter::Arguments {
+ public:
+  Arguments(const CommandInfo& info, std::vector<std::string> words)
+      : info_(info), words_(std::move(words)) {}
+
+  std::size_t left() const { return words_.size() - at_; }
+  const std::string& next() {
+    if (left() == 0) fail();
+    return words_[at_++];
+  }
+  const std::string& peek() const { return words_[at_]; }
+
+  double number();
+  std::int64_t count(const char* what);
+  std::vector<double> numbers();
+
+  /// Refuses words that are left over.
+  void end() const {
+    if (left() > 0) fail();
+  }
+  [[noreturn]] void fail() const;
+
+ private:
+  const CommandInfo& info_;
+  std::vector<std::string> words_;  // the command first
+  std::size_t at_ = 1;
+};
+
+}  // namespace sir::modeler

@@ -1,0 +1,148 @@
+#include "modeler/commands.h"
+
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "modeler/command_error.h"
+#include "modeler/nearest_name.h"
+#include "tracer/text_file.h"
+
+namespace sir::modeler {
+namespace {
+
+constexpr CommandInfo kCommands[] = {
+    {Command::create, "create", "cria", "NAME cube|sphere|cone|cylinder SURFACE...",
+     "A primitive at its standard place; one surface number for all faces, or one for each.",
+     "nk-"},
+    {Command::transform, "transform", "transforma", "NAME translation|scale|rotation|matrix ...",
+     "The same as translate, scale, rotate or matrix.", "st-"},
+    {Command::translate, "translate", "translada", "NAME x y z", "Moves a solid.", "s-"},
+    {Command::scale, "scale", "escala", "NAME x y z | NAME factor",
+     "Scales a primitive about the origin, a composite about the centre of its bounds. Negative "
+     "factors mirror; 0 is refused.",
+     "s-"},
+    {Command::rotate, "rotate", "gira", "NAME x|y|z DEGREES",
+     "Turns about an axis through the origin or, a composite, through the centre of its bounds: "
+     "counter-clockwise, seen from the axis's positive end.",
+     "sx-"},
+    {Command::matrix, "matrix", "matriz", "NAME m11 m12 m13 m21 ... m43 (12 numbers, or 16)",
+     "Transforms by a matrix for row vectors, p' = p M, about the origin: its four lines of three "
+     "numbers, or of four, the fourth column 0 0 0 1.",
+     "s-"},
+    {Command::combine, "combine", "combina",
+     "NAME LEFT union|difference|intersection RIGHT [apart]",
+     "Makes one solid of two, which become its parts. Difference and intersection of solids whose "
+     "bounds do not meet are refused, but with the word apart.",
+     "nsosp"},
+    {Command::erase, "delete", "deleta", "NAME", "Takes a solid off the list.", "s"},
+    {Command::copy, "copy", "copia", "SOURCE DESTINATION", "The same solid under a second name.",
+     "sn"},
+    {Command::split, "split", "desfaz", "NAME",
+     "Takes a composite apart; its two parts take its place, under the names of their nodes.", "s"},
+    {Command::rename, "rename", "renomeia", "NAME NEW", "Another name for a solid.", "sn"},
+    {Command::label, "label", "rotula", "NAME TEXT",
+     "Another name for a solid's root in the .CSG alone, where names may repeat.", "s-"},
+    {Command::number, "number", "numera", "NAME NUMBER",
+     "The number of a solid's root in the .CSG. It is kept where all nodes of what is saved have "
+     "numbers, no two the same.",
+     "s-"},
+    {Command::save, "save", "salva", "NAME FILE",
+     "Writes a solid: FILE.CSG, or where FILE ends in .model the commands that make it.", "sf"},
+    {Command::load, "load", "carrega", "NAME FILE", "Reads a solid that was saved.", "nf"},
+    {Command::show, "show", "mostra", "NAME [FILE.png] [--shaded] [--scene BASE] [--size WxH]",
+     "The silhouette, or the solid shaded, as a picture or in characters; from the front, right "
+     "and above, or as BASE.CAM says (and BASE.LUZ and BASE.SUP, shaded).",
+     "sf"},
+    {Command::inspect, "inspect", "verifica",
+     "NAME [bounds|matrices|surfaces|tree|volume|warnings]",
+     "Tells what is known of a solid, or one part of it.", "sa"},
+    {Command::list, "list", "lista", "", "The solids that there are.", ""},
+    {Command::undo, "undo", "anula", "", "Takes back the last command that changed the list.", ""},
+    {Command::redo, "redo", "refaz", "", "Does again what was taken back.", ""},
+    {Command::help, "help", "ajuda", "[COMMAND]", "What there is to be said of a command, or all.",
+     "c"},
+    {Command::quit, "quit", "sai", "", "Ends the session.", ""},
+};
+
+constexpr Word<PrimitiveKind> kKinds[] = {{"cube", "cubo", PrimitiveKind::cube},
+                                          {"sphere", "esfera", PrimitiveKind::sphere},
+                                          {"cone", "cone", PrimitiveKind::cone},
+                                          {"cylinder", "cilindro", PrimitiveKind::cylinder}};
+constexpr Word<Operation> kOperations[] = {{"union", "união", Operation::union_of},
+                                           {"difference", "diferença", Operation::difference},
+                                           {"intersection", "interseção", Operation::intersection}};
+constexpr Word<Step::Kind> kTransforms[] = {{"translation", "translação", Step::Kind::translation},
+                                            {"scale", "escala", Step::Kind::scale},
+                                            {"rotation", "rotação", Step::Kind::rotation},
+                                            {"matrix", "matriz", Step::Kind::matrix}};
+constexpr Word<Aspect> kAspects[] = {
+    {"bounds", "envoltórios", Aspect::bounds},     {"matrices", "matrizes", Aspect::matrices},
+    {"surfaces", "superfícies", Aspect::surfaces}, {"tree", "árvore", Aspect::tree},
+    {"volume", "volume", Aspect::volume},          {"warnings", "avisos", Aspect::warnings}};
+
+const std::unordered_map<std::string, const CommandInfo*>& by_name() {
+  static const auto table = [] {
+    std::unordered_map<std::string, const CommandInfo*> known;
+    for (const CommandInfo& info : kCommands) {
+      known.emplace(info.name, &info);
+      known.emplace(fold_keyword(info.portuguese), &info);
+    }
+    return known;
+  }();
+  return table;
+}
+
+}  // namespace
+
+std::span<const CommandInfo> commands() { return kCommands; }
+std::span<const Word<PrimitiveKind>> kinds() { return kKinds; }
+std::span<const Word<Operation>> operations() { return kOperations; }
+std::span<const Word<Step::Kind>> transforms() { return kTransforms; }
+std::span<const Word<Aspect>> aspects() { return kAspects; }
+
+const CommandInfo* find_command(std::string_view word) {
+  const auto found = by_name().find(fold_keyword(word));
+  return found == by_name().end() ? nullptr : found->second;
+}
+
+bool is_word(std::string_view word, std::string_view english, std::string_view portuguese) {
+  if (word == english || word == portuguese) return true;  // needs no folding
+  const std::string folded = fold_keyword(word);
+  return folded == english || folded == fold_keyword(portuguese);
+}
+
+template <typename Value>
+Value value_of(std::span<const Word<Value>> words, std::string_view word, std::string_view what) {
+  std::string names;
+  NearestName nearest(word);
+  for (const Word<Value>& known : words) {
+    if (is_word(word, known.english, known.portuguese)) return known.value;
+    names += (names.empty() ? "" : ", ") + std::string(known.english);
+    nearest.offer(known.english);
+    nearest.offer(known.portuguese);
+  }
+  throw CommandError(fmt::format("{} is no {}: {}{}", in_quotes(word), what, names,
+                                 nearest.found() ? "; did you mean " + nearest.name() + "?" : ""));
+}
+
+template PrimitiveKind value_of(std::span<const Word<PrimitiveKind>>, std::string_view,
+                                std::string_view);
+template Operation value_of(std::span<const Word<Operation>>, std::string_view, std::string_view);
+template Step::Kind value_of(std::span<const Word<Step::Kind>>, std::string_view, std::string_view);
+template Aspect value_of(std::span<const Word<Aspect>>, std::string_view, std::string_view);
+
+std::string help_text(const CommandInfo& info) {
+  return fmt::format("{}{}{}  ({})\n  {}\n", info.name, info.form.empty() ? "" : " ", info.form,
+                     info.portuguese, info.help);
+}
+
+std::string help_text() {
+  std::string text;
+  for (const CommandInfo& info : kCommands)
+    text += fmt::format("{:<10} {:<10}  {}\n", info.name, info.portuguese, info.form);
+  return text +
+         "Names with white space or # go in quotes; # begins a comment. help COMMAND says more.\n";
+}
+
+}  // namespace sir::modeler

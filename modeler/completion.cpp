@@ -1,0 +1,119 @@
+#include "modeler/completion.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "modeler/command_line.h"
+#include "modeler/commands.h"
+#include "tracer/text_file.h"
+
+namespace sir::modeler {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// fold_keyword() takes white space off the ends, which counts here.
+bool begins(std::string_view word, std::string_view typed) {
+  return fold_keyword(std::string(word) + "|").starts_with([&] {
+    std::string folded = fold_keyword("|" + std::string(typed) + "|");
+    return folded.substr(1, folded.size() - 2);
+  }());
+}
+
+template <typename Value>
+void offer(std::span<const Word<Value>> known, std::string_view typed, Words& words) {
+  for (const Word<Value>& word : known) {
+    if (begins(word.english, typed)) words.emplace_back(word.english);
+    // Portuguese where there is something of it to go by, or every word would come twice.
+    else if (!typed.empty() && begins(word.portuguese, typed)) words.emplace_back(word.portuguese);
+  }
+}
+
+void offer_commands(std::string_view typed, Words& words) {
+  for (const CommandInfo& info : commands()) {
+    if (begins(info.name, typed)) words.emplace_back(info.name);
+    else if (!typed.empty() && begins(info.portuguese, typed)) words.emplace_back(info.portuguese);
+  }
+}
+
+void offer_files(const std::string& typed, Words& words) {
+  namespace fs = std::filesystem;
+  const auto slash = typed.rfind('/');
+  const std::string folder = slash == typed.npos ? "" : typed.substr(0, slash + 1);
+  const std::string start = slash == typed.npos ? typed : typed.substr(slash + 1);
+  std::error_code failure;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, failure), end;
+       !failure && at != end; at.increment(failure)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with(start) || (start.empty() && name.starts_with('.'))) continue;
+    std::error_code ignored;
+    words.push_back(folder + name + (at->is_directory(ignored) ? "/" : ""));
+  }
+}
+
+}  // namespace
+
+Completion complete(const Interpreter& interpreter, std::string_view line) {
+  const UnfinishedWord last = unfinished_word(line);
+  Completion completion{last.begin, {}};
+  if (last.in_comment) return completion;
+  Words& words = completion.words;
+  const auto offer_word = [&](std::string_view word) {
+    if (begins(word, last.text)) words.emplace_back(word);
+  };
+  if (last.before.empty()) {
+    offer_commands(last.text, words);
+  } else if (const CommandInfo* info = find_command(last.before.front());
+             info != nullptr && !info->places.empty()) {
+    const std::size_t place = std::min(last.before.size(), info->places.size()) - 1;
+    const bool beyond = last.before.size() > info->places.size();
+    const bool is_option = last.text.starts_with("--");
+    switch (beyond && info->places[place] != 'f' ? '-' : info->places[place]) {
+      case 's':
+        for (const auto& [unused, entry] : interpreter.solids().entries()) offer_word(entry->name);
+        break;
+      case 'k': offer(kinds(), last.text, words); break;
+      case 'o': offer(operations(), last.text, words); break;
+      case 't': offer(transforms(), last.text, words); break;
+      case 'a': offer(aspects(), last.text, words); break;
+      case 'c': offer_commands(last.text, words); break;
+      case 'p': offer_word("apart"); break;
+      case 'x':
+        for (const char* axis : {"x", "y", "z"}) offer_word(axis);
+        break;
+      case 'f':
+        if (info->command == Command::show && is_option)
+          for (const char* option : {"--scene", "--shaded", "--size"}) offer_word(option);
+        else if (!beyond || info->command == Command::show) offer_files(last.text, words);
+        break;
+      default: break;
+    }
+  }
+  std::sort(words.begin(), words.end());
+  words.erase(std::unique(words.begin(), words.end()), words.end());
+  for (std::string& word : words) {
+    const bool folder = word.ends_with('/');
+    word = last.quoted ? as_word(word + " ") : as_word(word);
+    if (last.quoted) word.erase(word.size() - 2, 1);
+    // A folder's name goes on.
+    if (folder && word.front() == '"') word.pop_back();
+  }
+  return completion;
+}
+
+std::string common_start(const std::vector<std::string>& words) {
+  if (words.empty()) return {};
+  std::size_t size = words.front().size();
+  for (const std::string& word : words) {
+    const auto [at, unused] =
+        std::mismatch(words.front().begin(), words.front().end(), word.begin(), word.end());
+    size = std::min(size, static_cast<std::size_t>(at - words.front().begin()));
+  }
+  // Not within a character.
+  while (size > 0 && size < words.front().size() &&
+         (static_cast<unsigned char>(words.front()[size]) & 0xC0) == 0x80)
+    --size;
+  return words.front().substr(0, size);
+}
+
+}  // namespace sir::modeler

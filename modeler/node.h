@@ -1,0 +1,80 @@
+// The tree of composition (thesis 3.2.1): nodes that never change once they are made, so that
+// copies, undo and what another thread looks at share them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tracer/bounds.h"
+#include "tracer/scene.h"
+
+namespace sir::modeler {
+
+struct Node;
+using NodePtr = std::shared_ptr<const Node>;
+
+/// ENVOLTORIO: a box along the axes of a frame; empty where low > high.
+using Box = Bounds<double>;
+
+/// Nó primitivo. CENA_LOCAL is not kept: it follows from LOCAL_CENA (see inverse_of).
+struct Primitive {
+  PrimitiveKind kind = PrimitiveKind::cube;
+  std::array<std::int64_t, 6> surfaces{};  ///< surface number of each face
+  bool surface_per_face = false;           ///< given, and written, one per face
+  Placement local_cena;
+};
+
+/// Nó composto. Neither pointer is null.
+struct Composite {
+  Operation operation = Operation::union_of;
+  NodePtr left, right;
+};
+
+/// A node and, by its pointers, all of its solid. A tree may be a chain of any depth: nothing here
+/// walks it by recursion, not even its destruction.
+struct Node {
+  static constexpr std::int64_t kNoNumber = -1;
+
+  /// Works out the bounds in SC_CENA: of a primitive tight; of a composite by its operation on
+  /// those of its children (3.2.2.3): the hull of both, the left one's, or what both share.
+  Node(std::string name, Primitive primitive, std::int64_t number = kNoNumber);
+  Node(std::string name, Composite composite, std::int64_t number = kNoNumber);
+  ~Node();
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
+
+  const Primitive* primitive() const { return std::get_if<Primitive>(&what); }
+  const Composite* composite() const { return std::get_if<Composite>(&what); }
+
+  std::string name;
+  std::int64_t number;  ///< of its own in the .CSG; kNoNumber: it takes the one of its place
+  std::variant<Primitive, Composite> what;
+  Box bounds;         ///< in SC_CENA
+  std::size_t count;  ///< nodes of the tree below, this one included
+};
+
+NodePtr make_node(std::string name, Primitive primitive, std::int64_t number = Node::kNoNumber);
+NodePtr make_node(std::string name, Composite composite, std::int64_t number = Node::kNoNumber);
+
+/// The same solid under another name or number; the children are shared.
+NodePtr renamed(const Node& node, std::string name);
+NodePtr renumbered(const Node& node, std::int64_t number);
+
+/// All nodes: each before its children, the left one first. They live as long as the tree.
+std::vector<const Node*> preorder(const Node& tree);
+
+/// The bounds that an operation leaves of two.
+Box combined(Operation operation, const Box& left, const Box& right);
+
+/// Whether two boxes share a point; touching ones do.
+bool meet(const Box& a, const Box& b);
+
+/// Whether there is a point in the box.
+bool is_empty(const Box& box);
+
+}  // namespace sir::modeler

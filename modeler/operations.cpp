@@ -1,0 +1,194 @@
+#include "modeler/operations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "modeler/command_error.h"
+#include "modeler/nearest_name.h"
+#include "tracer/text_file.h"
+
+namespace sir::modeler {
+namespace {
+
+EntryPtr entry(std::string name, Solid solid) {
+  return std::make_shared<const Entry>(Entry{std::move(name), std::move(solid), false});
+}
+
+EntryPtr entry(std::string name, NodePtr tree) {
+  return entry(std::move(name), Solid(std::move(tree)));
+}
+
+void require_free(const Lsu& solids, const std::string& name) {
+  require_name(name);
+  if (solids.find(name)) throw CommandError("a solid " + in_quotes(name) + " exists already");
+}
+
+Changes added(const Lsu& solids, EntryPtr added) {
+  return {{solids.free_place(), nullptr, std::move(added)}};
+}
+
+Changes replaced(const Lsu& solids, const EntryPtr& before, EntryPtr after) {
+  return {{solids.place_of(before->name), before, std::move(after)}};
+}
+
+bool is_finite(const Box& box) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(box.low[axis]) || !std::isfinite(box.high[axis])) return false;
+  return true;
+}
+
+}  // namespace
+
+void require_name(std::string_view name) {
+  if (name.empty()) throw CommandError("a solid's name cannot be empty");
+  if (name.front() == ' ' || name.back() == ' ')
+    throw CommandError("the name " + in_quotes(name) +
+                       " begins or ends in white space, which the .CSG does not keep");
+  for (std::size_t i = 0; i < name.size(); ++i)
+    if (static_cast<unsigned char>(name[i]) < 0x20 || name[i] == 0x7F)
+      throw CommandError("the name " + in_quotes(name) +
+                         " holds a control character, which the .CSG does not keep");
+}
+
+EntryPtr require(const Lsu& solids, std::string_view name) {
+  if (EntryPtr found = solids.find(name)) return found;
+  std::string reason = "there is no solid " + in_quotes(name);
+  if (solids.empty()) throw CommandError(reason + ": the list of solids is empty");
+  NearestName nearest(name);
+  for (const auto& [place, candidate] : solids.entries()) nearest.offer(candidate->name);
+  if (nearest.found()) reason += "; did you mean " + in_quotes(nearest.name()) + "?";
+  throw CommandError(reason);
+}
+
+std::string free_name(const Lsu& solids, const std::string& name, std::string_view besides) {
+  std::string free = name;
+  for (int i = 2; solids.find(free) || free == besides; ++i)
+    free = name + " (" + std::to_string(i) + ")";
+  return free;
+}
+
+Changes create(const Lsu& solids, const std::string& name, PrimitiveKind kind,
+               const std::vector<std::int64_t>& surfaces) {
+  require_free(solids, name);
+  const auto faces = static_cast<std::size_t>(face_count(kind));
+  if (surfaces.size() != 1 && surfaces.size() != faces)
+    throw CommandError(
+        "a " + std::string(name_of(kind)) + " takes 1 surface number" +
+        (faces > 1 ? " for all faces or " + std::to_string(faces) + ", one per face" : "") + "; " +
+        std::to_string(surfaces.size()) + " given");
+  Primitive primitive;
+  primitive.kind = kind;
+  primitive.surface_per_face = surfaces.size() > 1;
+  for (std::size_t face = 0; face < faces; ++face)
+    primitive.surfaces[face] = surfaces[primitive.surface_per_face ? face : 0];
+  return added(solids, entry(name, make_node(name, primitive)));
+}
+
+Changes transform(const Lsu& solids, std::string_view name, Step step) {
+  const EntryPtr solid = require(solids, name);
+  const bool turns = step.kind == Step::Kind::scale || step.kind == Step::Kind::rotation;
+  if (turns && solid->composite()) {
+    const Box& bounds = solid->solid.tree()->bounds;
+    if (is_empty(bounds) || !is_finite(bounds))
+      throw CommandError("the bounds of " + in_quotes(name) + " have no centre to transform about" +
+                         (is_empty(bounds) ? ": the solid is empty" : ""));
+    step.centre = bounds.centre();
+  }
+  return replaced(solids, solid, entry(solid->name, solid->solid.transformed(step)));
+}
+
+Changes combine(const Lsu& solids, const std::string& name, std::string_view left,
+                Operation operation, std::string_view right, bool apart) {
+  require_free(solids, name);
+  const EntryPtr left_solid = require(solids, left), right_solid = require(solids, right);
+  if (left_solid == right_solid)
+    throw CommandError("a solid cannot be combined with itself; copy " + in_quotes(left) +
+                       " first");
+  const NodePtr &left_tree = left_solid->solid.tree(), &right_tree = right_solid->solid.tree();
+  if (operation != Operation::union_of && !apart && !meet(left_tree->bounds, right_tree->bounds))
+    throw CommandError(
+        "there is no intersection between " + in_quotes(left) + " and " + in_quotes(right) +
+        ": their bounds do not meet, so the " + std::string(name_of(operation)) +
+        (operation == Operation::intersection ? " would be empty" : " would take nothing away"));
+  Changes changes =
+      added(solids, entry(name, make_node(name, Composite{operation, left_tree, right_tree})));
+  changes.push_back({solids.place_of(left), left_solid, nullptr});
+  changes.push_back({solids.place_of(right), right_solid, nullptr});
+  return changes;
+}
+
+Changes erase(const Lsu& solids, std::string_view name) {
+  const EntryPtr solid = require(solids, name);
+  return replaced(solids, solid, nullptr);
+}
+
+Changes copy(const Lsu& solids, std::string_view source, const std::string& destination) {
+  const EntryPtr solid = require(solids, source);
+  require_free(solids, destination);
+  return added(solids, entry(destination, renamed(*solid->solid.tree(), destination)));
+}
+
+Changes split(const Lsu& solids, std::string_view name) {
+  const EntryPtr solid = require(solids, name);
+  const NodePtr& tree = solid->solid.tree();
+  const Composite* composite = tree->composite();
+  if (composite == nullptr) throw CommandError(in_quotes(name) + " is not a composite");
+  // Its own name is free: the solid goes.
+  const auto free = [&](const std::string& wanted, std::string_view besides) {
+    return wanted == solid->name && wanted != besides ? wanted : free_name(solids, wanted, besides);
+  };
+  const std::string left = free(composite->left->name, {});
+  const std::string right = free(composite->right->name, left);
+  Changes changes = replaced(solids, solid, nullptr);
+  changes.push_back({solids.free_place(), nullptr, entry(left, composite->left)});
+  changes.push_back({solids.free_place(1), nullptr, entry(right, composite->right)});
+  return changes;
+}
+
+Changes insert(const Lsu& solids, const std::string& name, const NodePtr& tree) {
+  require_free(solids, name);
+  return added(solids, entry(name, tree->name == name ? tree : renamed(*tree, name)));
+}
+
+Changes rename(const Lsu& solids, std::string_view name, const std::string& new_name) {
+  const EntryPtr solid = require(solids, name);
+  require_free(solids, new_name);
+  return replaced(solids, solid, entry(new_name, renamed(*solid->solid.tree(), new_name)));
+}
+
+Changes label(const Lsu& solids, std::string_view name, const std::string& label) {
+  const EntryPtr solid = require(solids, name);
+  require_name(label);
+  return replaced(solids, solid, entry(solid->name, renamed(*solid->solid.tree(), label)));
+}
+
+Changes number(const Lsu& solids, std::string_view name, std::int64_t number) {
+  const EntryPtr solid = require(solids, name);
+  return replaced(solids, solid, entry(solid->name, renumbered(*solid->solid.tree(), number)));
+}
+
+std::string_view face_name(PrimitiveKind kind, int face) {
+  constexpr std::string_view kCube[] = {"X=0", "X=1", "Y=0", "Y=1", "Z=0", "Z=1"};
+  constexpr std::string_view kCone[] = {"side", "base"};
+  constexpr std::string_view kCylinder[] = {"Y=0", "Y=1", "side"};
+  switch (kind) {
+    case PrimitiveKind::cube: return kCube[face];
+    case PrimitiveKind::sphere: return "surface";
+    case PrimitiveKind::cone: return kCone[face];
+    case PrimitiveKind::cylinder: return kCylinder[face];
+  }
+  return "";
+}
+
+std::string_view name_of(PrimitiveKind kind) {
+  constexpr std::string_view kNames[] = {"cube", "sphere", "cone", "cylinder"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string_view name_of(Operation operation) {
+  constexpr std::string_view kNames[] = {"union", "difference", "intersection"};
+  return kNames[static_cast<std::size_t>(operation)];
+}
+
+}  // namespace sir::modeler

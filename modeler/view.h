@@ -1,0 +1,32 @@
+// How a solid is looked at: the camera and the bounds in SC_OBS (percorre_transformando_sólido,
+// thesis 3.2.2.9).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "modeler/node.h"
+#include "tracer/planes.h"
+#include "tracer/scene.h"
+#include "tracer/tiles.h"
+
+namespace sir::modeler {
+
+/// A camera that has the whole box in its window, 5 % of it free on each side: in perspective, from
+/// the front, a little from the right and from above, along (-0.5, -0.5, -1). `aspect`: width over
+/// height. The box holds a point and is finite.
+CameraFile framing(const Box& bounds, double aspect);
+
+/// ENVOLTORIO in SC_OBS of every node, in the order of preorder(): of primitives tight, of
+/// composites by their operation.
+std::vector<Box> bounds_in_obs(const Node& tree, const CameraFile& camera);
+
+/// The pixels through which rays can meet what is in this box in SC_OBS; all of them where part of
+/// it is beside or behind the eye.
+Region pixels_of(const Box& in_obs, const CameraFile& camera, ImageSize size);
+
+/// A scene of this solid alone, its surfaces and light made up: each surface number has a hue of
+/// its own, matt with a little gloss, and one light stands over the observer's left shoulder.
+Scene scene_of(const Node& tree, const CameraFile& camera);
+
+}  // namespace sir::modeler
