@@ -42,7 +42,7 @@ class EditingReader : public LineReader {
     el_set(editor_, EL_ADDFN, "sir-complete", "complete the word", &EditingReader::complete);
     el_set(editor_, EL_BIND, "^I", "sir-complete", nullptr);
     // Ctrl-C is a key while a line is edited, and a signal while a command works.
-    el_set(editor_, EL_SETTY, "-d", "intr=", nullptr);
+    el_set(editor_, EL_SETTY, "-d", "-isig", nullptr);
     el_set(editor_, EL_BIND, "^C", "em-kill-line", nullptr);
     el_set(editor_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
   }

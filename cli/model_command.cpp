@@ -71,15 +71,10 @@ int run_file(const Path& path, modeler::Interpreter& interpreter, const Session&
   return interrupted() ? kInterrupted : kDone;
 }
 
-int print_script(const Path& base, const Session& session) {
+int print_script(const Path& base) {
   TextFile file(find_by_suffix(base, "CSG"));
-  const CsgTree tree = read_csg(file);
-  const modeler::NodePtr solid = modeler::from_csg(tree);
+  const modeler::NodePtr solid = modeler::from_csg(read_csg(file));
   print(modeler::script_text(*solid, with_suffix(base.filename(), "CSG").string()));
-  if (csg_text(modeler::to_csg(*solid)) != csg_text(tree))
-    note(session, file.name() +
-                      ": its nodes do not stand in the order of their numbers; those that the "
-                      "script makes do, and are else the same");
   return kDone;
 }
 
@@ -95,7 +90,7 @@ modeler::Outlet make_outlet() {
 }
 
 int run_model(const ModelOptions& options, const Session& session) {
-  if (options.from) return print_script(*options.from, session);
+  if (options.from) return print_script(*options.from);
   modeler::Interpreter interpreter(make_outlet());
   if (options.script && *options.script != "-")
     return run_file(*options.script, interpreter, session);

@@ -43,9 +43,10 @@ constexpr CommandInfo kCommands[] = {
     {Command::rename, "rename", "renomeia", "NAME NEW", "Another name for a solid.", "sn"},
     {Command::label, "label", "rotula", "NAME TEXT",
      "Another name for a solid's root in the .CSG alone, where names may repeat.", "s-"},
-    {Command::number, "number", "numera", "NAME NUMBER",
-     "The number of a solid's root in the .CSG. It is kept where all nodes of what is saved have "
-     "numbers, no two the same.",
+    {Command::number, "number", "numera", "NAME NUMBER [POSITION]",
+     "The number of a solid's root in the .CSG, and its position among the nodes (by their "
+     "numbers). "
+     "Both are kept where all nodes of what is saved have them, no two the same.",
      "s-"},
     {Command::save, "save", "salva", "NAME FILE",
      "Writes a solid: FILE.CSG, or where FILE ends in .model the commands that make it.", "sf"},
@@ -123,7 +124,8 @@ Value value_of(std::span<const Word<Value>> words, std::string_view word, std::s
     nearest.offer(known.portuguese);
   }
   throw CommandError(fmt::format("{} is no {}: {}{}", in_quotes(word), what, names,
-                                 nearest.found() ? "; did you mean " + nearest.name() + "?" : ""));
+                                 nearest.found() ? "; did you mean " + nearest.name() + "?"
+                                                 : "; a name with spaces goes in quotes"));
 }
 
 template PrimitiveKind value_of(std::span<const Word<PrimitiveKind>>, std::string_view,

@@ -7,22 +7,24 @@
 namespace sir::modeler {
 namespace {
 
-// Whether all numbers are given, and no two the same.
-bool numbered(const std::vector<const Node*>& nodes) {
-  std::vector<std::int64_t> numbers;
+// Whether all have one, and no two the same.
+bool distinct(const std::vector<const Node*>& nodes, std::int64_t FileSlot::*which) {
+  std::vector<std::int64_t> values;
   for (const Node* node : nodes) {
-    if (node->number == Node::kNoNumber) return false;
-    numbers.push_back(node->number);
+    if (node->slot.*which == FileSlot::kNone) return false;
+    values.push_back(node->slot.*which);
   }
-  std::sort(numbers.begin(), numbers.end());
-  return std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end();
+  std::sort(values.begin(), values.end());
+  return std::adjacent_find(values.begin(), values.end()) == values.end();
 }
 
-void put_in_order_of_numbers(CsgTree& tree) {
+// `nodes` as they stand in the tree now.
+void put_in_order(CsgTree& tree, const std::vector<const Node*>& nodes,
+                  std::int64_t FileSlot::*which) {
   std::vector<std::size_t> order(tree.nodes.size()), place(tree.nodes.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return tree.nodes[a].number < tree.nodes[b].number;
+    return nodes[a]->slot.*which < nodes[b]->slot.*which;
   });
   for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
   CsgTree sorted;
@@ -41,15 +43,15 @@ void put_in_order_of_numbers(CsgTree& tree) {
 
 CsgTree to_csg(const Node& root, bool* numbers_lost) {
   const std::vector<const Node*> nodes = preorder(root);
-  const bool own_numbers = numbered(nodes);
+  const bool own_numbers = distinct(nodes, &FileSlot::number);
   CsgTree tree;
   tree.nodes.resize(nodes.size());
   bool some = false;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& from = *nodes[i];
     CsgNode& node = tree.nodes[i];
-    some = some || from.number != Node::kNoNumber;
-    node.number = own_numbers ? from.number : static_cast<std::int64_t>(i) + 1;
+    some = some || from.slot.number != FileSlot::kNone;
+    node.number = own_numbers ? from.slot.number : static_cast<std::int64_t>(i) + 1;
     node.name = from.name;
     if (const Composite* composite = from.composite()) {
       node.composite = true;
@@ -65,7 +67,9 @@ CsgTree to_csg(const Node& root, bool* numbers_lost) {
     node.placement = primitive.local_cena;
   }
   if (numbers_lost != nullptr) *numbers_lost = some && !own_numbers;
-  if (own_numbers) put_in_order_of_numbers(tree);
+  if (own_numbers)
+    put_in_order(tree, nodes,
+                 distinct(nodes, &FileSlot::position) ? &FileSlot::position : &FileSlot::number);
   return tree;
 }
 
@@ -80,24 +84,29 @@ NodePtr from_csg(const CsgTree& tree) {
     open.push_back(node.right);
     open.push_back(node.left);
   }
-  bool own_numbers = false;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    own_numbers = own_numbers || tree.nodes[order[i]].number != static_cast<std::int64_t>(i) + 1;
+  bool as_they_come = true, by_number = true;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    as_they_come =
+        as_they_come && order[i] == i && tree.nodes[i].number == static_cast<std::int64_t>(i) + 1;
+    by_number = by_number && (i == 0 || tree.nodes[i - 1].number < tree.nodes[i].number);
+  }
   // Backwards every node comes after its children, the left one last.
   std::vector<NodePtr> done;
   for (auto at = order.rbegin(); at != order.rend(); ++at) {
     const CsgNode& node = tree.nodes[*at];
-    const std::int64_t number = own_numbers ? node.number : Node::kNoNumber;
+    FileSlot slot;
+    if (!as_they_come) slot.number = node.number;
+    if (!by_number) slot.position = static_cast<std::int64_t>(*at);
     if (!node.composite) {
       done.push_back(make_node(
           node.name, Primitive{node.kind, node.surfaces, node.surface_per_face, node.placement},
-          number));
+          slot));
       continue;
     }
     NodePtr left = std::move(done.back());
     done.pop_back();
     done.back() = make_node(
-        node.name, Composite{node.operation, std::move(left), std::move(done.back())}, number);
+        node.name, Composite{node.operation, std::move(left), std::move(done.back())}, slot);
   }
   return std::move(done.back());
 }

@@ -206,7 +206,7 @@ std::string inspect(const std::string& name, const Node& tree, const CameraFile&
   const auto wanted = [&](Aspect one) { return all || aspect == one; };
   std::string text = fmt::format("{}: {}\n", in_quotes(name), type_text(tree));
   if (tree.name != name) text += fmt::format("  in the .CSG {}\n", in_quotes(tree.name));
-  if (tree.number != Node::kNoNumber) text += fmt::format("  number {}\n", tree.number);
+  if (tree.slot.number != FileSlot::kNone) text += fmt::format("  number {}\n", tree.slot.number);
   if (wanted(Aspect::bounds))
     text += fmt::format("  bounds in SC_CENA {}\n  bounds in SC_OBS  {}\n", text_of(tree.bounds),
                         text_of(bounds_in_obs(tree, camera).front()));

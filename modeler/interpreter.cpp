@@ -156,9 +156,11 @@ Reply Interpreter::execute(std::string_view line) {
     }
     case Command::number: {
       const std::string name = arguments.next();
-      const std::int64_t value = arguments.count("number");
+      FileSlot slot;
+      slot.number = arguments.count("number");
+      if (arguments.left() > 0) slot.position = arguments.count("position");
       arguments.end();
-      return commit(number(solids_, name, value), fmt::format("{}: number {}", name, value));
+      return commit(number(solids_, name, slot), fmt::format("{}: number {}", name, slot.number));
     }
     case Command::load: {
       const std::string name = arguments.next(), file = arguments.next();

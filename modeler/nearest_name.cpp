@@ -39,9 +39,9 @@ void NearestName::offer(std::string_view known) {
   const std::size_t longer = std::max(folded.size(), wanted_.size());
   const std::size_t shorter = std::min(folded.size(), wanted_.size());
   const bool begins = !wanted_.empty() && folded.starts_with(wanted_);
-  if (!begins && longer - shorter > longer / 3) return;
-  const std::size_t distance = begins ? 0 : distance_between(wanted_, folded);
   const std::size_t allowed = std::max<std::size_t>(longer / 3, longer > 1 ? 1 : 0);
+  if (!begins && longer - shorter > allowed) return;
+  const std::size_t distance = begins ? 0 : distance_between(wanted_, folded);
   if (distance > allowed || distance >= distance_) return;
   distance_ = distance;
   name_ = known;

@@ -23,16 +23,16 @@ void release_children(Node& node, std::vector<NodePtr>& released) {
 
 }  // namespace
 
-Node::Node(std::string its_name, Primitive primitive, std::int64_t its_number)
+Node::Node(std::string its_name, Primitive primitive, FileSlot its_slot)
     : name(std::move(its_name)),
-      number(its_number),
+      slot(its_slot),
       what(std::move(primitive)),
       bounds(bounds_of(std::get<Primitive>(what))),
       count(1) {}
 
-Node::Node(std::string its_name, Composite composite, std::int64_t its_number)
+Node::Node(std::string its_name, Composite composite, FileSlot its_slot)
     : name(std::move(its_name)),
-      number(its_number),
+      slot(its_slot),
       what(std::move(composite)),
       bounds(combined(this->composite()->operation, this->composite()->left->bounds,
                       this->composite()->right->bounds)),
@@ -51,24 +51,23 @@ Node::~Node() {
   }
 }
 
-NodePtr make_node(std::string name, Primitive primitive, std::int64_t number) {
-  return std::make_shared<Node>(std::move(name), std::move(primitive), number);
+NodePtr make_node(std::string name, Primitive primitive, FileSlot slot) {
+  return std::make_shared<Node>(std::move(name), std::move(primitive), slot);
 }
 
-NodePtr make_node(std::string name, Composite composite, std::int64_t number) {
-  return std::make_shared<Node>(std::move(name), std::move(composite), number);
+NodePtr make_node(std::string name, Composite composite, FileSlot slot) {
+  return std::make_shared<Node>(std::move(name), std::move(composite), slot);
 }
 
 NodePtr renamed(const Node& node, std::string name) {
   if (const Primitive* primitive = node.primitive())
-    return make_node(std::move(name), *primitive, node.number);
-  return make_node(std::move(name), *node.composite(), node.number);
+    return make_node(std::move(name), *primitive, node.slot);
+  return make_node(std::move(name), *node.composite(), node.slot);
 }
 
-NodePtr renumbered(const Node& node, std::int64_t number) {
-  if (const Primitive* primitive = node.primitive())
-    return make_node(node.name, *primitive, number);
-  return make_node(node.name, *node.composite(), number);
+NodePtr renumbered(const Node& node, FileSlot slot) {
+  if (const Primitive* primitive = node.primitive()) return make_node(node.name, *primitive, slot);
+  return make_node(node.name, *node.composite(), slot);
 }
 
 std::vector<const Node*> preorder(const Node& tree) {

@@ -35,15 +35,20 @@ struct Composite {
   NodePtr left, right;
 };
 
+/// What a node keeps of the .CSG it was read from, or was told: its number, and where it stands
+/// among the nodes; kNone: as it comes (see to_csg).
+struct FileSlot {
+  static constexpr std::int64_t kNone = -1;
+  std::int64_t number = kNone, position = kNone;
+};
+
 /// A node and, by its pointers, all of its solid. A tree may be a chain of any depth: nothing here
 /// walks it by recursion, not even its destruction.
 struct Node {
-  static constexpr std::int64_t kNoNumber = -1;
-
   /// Works out the bounds in SC_CENA: of a primitive tight; of a composite by its operation on
   /// those of its children (3.2.2.3): the hull of both, the left one's, or what both share.
-  Node(std::string name, Primitive primitive, std::int64_t number = kNoNumber);
-  Node(std::string name, Composite composite, std::int64_t number = kNoNumber);
+  Node(std::string name, Primitive primitive, FileSlot slot = {});
+  Node(std::string name, Composite composite, FileSlot slot = {});
   ~Node();
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
@@ -52,18 +57,18 @@ struct Node {
   const Composite* composite() const { return std::get_if<Composite>(&what); }
 
   std::string name;
-  std::int64_t number;  ///< of its own in the .CSG; kNoNumber: it takes the one of its place
+  FileSlot slot;
   std::variant<Primitive, Composite> what;
   Box bounds;         ///< in SC_CENA
   std::size_t count;  ///< nodes of the tree below, this one included
 };
 
-NodePtr make_node(std::string name, Primitive primitive, std::int64_t number = Node::kNoNumber);
-NodePtr make_node(std::string name, Composite composite, std::int64_t number = Node::kNoNumber);
+NodePtr make_node(std::string name, Primitive primitive, FileSlot slot = {});
+NodePtr make_node(std::string name, Composite composite, FileSlot slot = {});
 
-/// The same solid under another name or number; the children are shared.
+/// The same solid under another name or in another slot; the children are shared.
 NodePtr renamed(const Node& node, std::string name);
-NodePtr renumbered(const Node& node, std::int64_t number);
+NodePtr renumbered(const Node& node, FileSlot slot);
 
 /// All nodes: each before its children, the left one first. They live as long as the tree.
 std::vector<const Node*> preorder(const Node& tree);

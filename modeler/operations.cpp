@@ -62,10 +62,24 @@ EntryPtr require(const Lsu& solids, std::string_view name) {
 }
 
 std::string free_name(const Lsu& solids, const std::string& name, std::string_view besides) {
-  std::string free = name;
-  for (int i = 2; solids.find(free) || free == besides; ++i)
-    free = name + " (" + std::to_string(i) + ")";
-  return free;
+  const auto numbered = [&](std::uint64_t number) {
+    return name + " (" + std::to_string(number) + ")";
+  };
+  const auto is_free = [&](const std::string& candidate) {
+    return !solids.find(candidate) && candidate != besides;
+  };
+  if (is_free(name)) return name;
+  // Thousands of copies may have been taken apart: by doubling, then between the last two.
+  std::uint64_t taken = 1, free = 2;
+  while (!is_free(numbered(free))) {
+    taken = free;
+    free *= 2;
+  }
+  while (free - taken > 1) {
+    const std::uint64_t middle = taken + (free - taken) / 2;
+    (is_free(numbered(middle)) ? free : taken) = middle;
+  }
+  return numbered(free);
 }
 
 Changes create(const Lsu& solids, const std::string& name, PrimitiveKind kind,
@@ -163,9 +177,9 @@ Changes label(const Lsu& solids, std::string_view name, const std::string& label
   return replaced(solids, solid, entry(solid->name, renamed(*solid->solid.tree(), label)));
 }
 
-Changes number(const Lsu& solids, std::string_view name, std::int64_t number) {
+Changes number(const Lsu& solids, std::string_view name, FileSlot slot) {
   const EntryPtr solid = require(solids, name);
-  return replaced(solids, solid, entry(solid->name, renumbered(*solid->solid.tree(), number)));
+  return replaced(solids, solid, entry(solid->name, renumbered(*solid->solid.tree(), slot)));
 }
 
 std::string_view face_name(PrimitiveKind kind, int face) {

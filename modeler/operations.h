@@ -53,13 +53,14 @@ Changes rename(const Lsu& solids, std::string_view name, const std::string& new_
 /// names may repeat.
 Changes label(const Lsu& solids, std::string_view name, const std::string& label);
 
-/// The root's number in the .CSG; see to_csg().
-Changes number(const Lsu& solids, std::string_view name, std::int64_t number);
+/// The root's number, and perhaps its position, in the .CSG; see to_csg().
+Changes number(const Lsu& solids, std::string_view name, FileSlot slot);
 
 /// The solid of this name.
 EntryPtr require(const Lsu& solids, std::string_view name);
 
-/// `name`, or with the lowest number behind it that makes it free: "ball (2)".
+/// `name` where it is free, else with a number behind it: "ball (2)", the lowest where none is left
+/// out among those that are taken.
 std::string free_name(const Lsu& solids, const std::string& name, std::string_view besides = {});
 
 /// Refuses what the .CSG could not hold: nothing at all, white space at an end, control characters.

@@ -151,8 +151,11 @@ std::string script_text(const Node& tree, const std::string& save_as) {
     after_combine = composite != nullptr;
     if (name != node->name)
       text += fmt::format("label {} {}\n", as_word(name), as_word(node->name));
-    if (node->number != Node::kNoNumber)
-      text += fmt::format("number {} {}\n", as_word(name), node->number);
+    if (node->slot.number != FileSlot::kNone) {
+      text += fmt::format("number {} {}", as_word(name), node->slot.number);
+      if (node->slot.position != FileSlot::kNone) text += fmt::format(" {}", node->slot.position);
+      text += "\n";
+    }
     made.push_back(std::move(name));
   }
   return text + fmt::format("\nsave {} {}\n", as_word(made.back()), as_word(save_as));

@@ -27,14 +27,14 @@ NodePtr transformed(const Node& tree, const Step& step) {
   for (auto at = nodes.rbegin(); at != nodes.rend(); ++at) {
     const Node& node = **at;
     if (const Primitive* primitive = node.primitive()) {
-      done.push_back(make_node(node.name, transformed(node, *primitive, step), node.number));
+      done.push_back(make_node(node.name, transformed(node, *primitive, step), node.slot));
       continue;
     }
     NodePtr left = std::move(done.back());
     done.pop_back();
     done.back() = make_node(
         node.name, Composite{node.composite()->operation, std::move(left), std::move(done.back())},
-        node.number);
+        node.slot);
   }
   return std::move(done.back());
 }

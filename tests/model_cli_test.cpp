@@ -1,0 +1,193 @@
+// sir model from outside: scripts, standard input, --from, the prompt.
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include "tests/at_terminal.h"
+#include "tests/cli_fixture.h"
+#include "viewer/png_file.h"
+
+namespace sir::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+class ModelCli : public CliTest {};
+
+TEST_F(ModelCli, AScriptBuildsAndSaves) {
+  folder.write("bola.model",
+               "# uma bola\ncria bola esfera 1\r\n\ncreate furo cylinder 2\nscale furo 0.5 4 0.5\n"
+               "translate furo 0 -2 0\ncombine \"bola furada\" bola difference furo\n"
+               "save \"bola furada\" bola\nshow \"bola furada\" bola.png --size 64x48\nlist\n");
+  const Ended ended = sir({"model", "bola.model"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(ended.out, "\"bola furada\": difference of \"bola\" and \"furo\", 3 nodes\n");
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(viewer::read_png(folder / "bola.png").size, (ImageSize{64, 48}));
+  for (const char* suffix : {".CAM", ".LUZ", ".SUP"})
+    folder.write(std::string("bola") + suffix, folder.read(std::string("s") + suffix));
+  EXPECT_EQ(sir({"check", "bola"}).exit_code, 0);
+}
+
+TEST_F(ModelCli, AnErrorNamesTheScriptAndTheLineAndExitsWithOne) {
+  folder.write("a.model", "create a cube 1\n\ncreate a cube 1\nsave a a\n");
+  expect_failure(sir({"model", "a.model"}), "a.model:3: a solid \"a\" exists already");
+  EXPECT_FALSE(folder.has("a.CSG"));
+  expect_failure(sir({"model", "none.model"}), "none.model: cannot be read");
+  expect_failure(sir_reading("create a cube 1\ndelete b\n", {"model"}),
+                 "-:2: there is no solid \"b\"");
+  expect_failure(sir_reading("load a s\nload b x\n", {"model", "-"}), "-:2: x.CSG: is missing");
+  folder.write("self.model", "create a cube 1\nsave a self.model\n");
+  expect_failure(sir({"model", "self.model"}), "self.model:2: self.model");
+  EXPECT_THAT(folder.read("self.model"), HasSubstr("create a cube 1"));
+}
+
+TEST_F(ModelCli, StandardInputIsAScript) {
+  const Ended ended = sir_reading("create a cube 1\nlist\nquit\nnonsense\n", {"model"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(ended.out, "\"a\": cube\n");
+  EXPECT_EQ(sir_reading("lista", {"model", "-"}).out, "the list of solids is empty\n");
+  const Ended latin = sir_reading("create Ma\xE7\xE3 cube 1\nlist\n", {"model"});
+  EXPECT_EQ(latin.out, "\"Maçã\": cube\n");
+}
+
+TEST_F(ModelCli, WhoAsksLineByLineIsAnsweredLineByLine) {
+  Start start;
+  start.in = "create a cube 1\nlist\n";
+  start.folder = folder.path();
+  start.keep_in_open = true;
+  Program program(SIR_PROGRAM, {"model"}, start);
+  EXPECT_TRUE(program.wait_for("\"a\": cube\n"));
+  EXPECT_EQ(program.finish().exit_code, 0);
+}
+
+TEST_F(ModelCli, FromGivesTheScriptThatMakesTheFile) {
+  for (const char* name : {"s", "s.CSG", "./s"}) {
+    const Ended ended = sir({"model", "--from", name});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(ended.err, "");
+    EXPECT_THAT(ended.out, HasSubstr("create caixa cube 1\n"));
+    EXPECT_THAT(ended.out, HasSubstr("number tudo 0\n"));  // the file counts from 0
+    EXPECT_THAT(ended.out, HasSubstr("\nsave tudo s.CSG\n"));
+  }
+  folder.write("s.model", sir({"model", "--from", "s"}).out);
+  const std::string probe = "0.9 0.9 5 0 0 -1\n0.2 0.2 5 0 0 -1\n";
+  const std::string before = sir_reading(probe, {"probe", "s"}).out;
+  EXPECT_EQ(sir({"model", "s.model"}).exit_code, 0);
+  EXPECT_EQ(sir_reading(probe, {"probe", "s"}).out, before);
+  // What has been written by us comes back byte for byte.
+  const std::string bytes = folder.read("s.CSG");
+  folder.write("again.model", sir({"model", "--from", "s"}).out);
+  EXPECT_EQ(sir({"model", "again.model"}).exit_code, 0);
+  EXPECT_EQ(folder.read("s.CSG"), bytes);
+  expect_failure(sir({"model", "--from", "none"}), "none.CSG: is missing");
+  EXPECT_EQ(sir({"model", "--from", "s", "s.model"}).exit_code, 2);
+}
+
+TEST_F(ModelCli, AHundredThousandCommands) {
+  std::string script = "create p0 cube 1\n";
+  for (int i = 1; i < 33'333; ++i) {
+    const std::string n = std::to_string(i), last = i == 1 ? "p0" : "c" + std::to_string(i - 1);
+    script += "create p" + n + " sphere 1\ntranslate p" + n + " " + n + " 0 0\ncombine c" + n +
+              " " + last + " union p" + n + "\n";
+  }
+  folder.write("long.model", script + "rotate c33332 y 90\nsave c33332 long\n");
+  const Ended ended = sir({"model", "long.model"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(folder.read("long.CSG").starts_with("66665\n"));
+  EXPECT_LT(ended.peak_kilobytes, 1'000'000);
+}
+
+TEST_F(ModelCli, AFullDiskAndAClosedPipeAreFailures) {
+  Start start;
+  start.in = "list\n";
+  start.out_file = "/dev/full";
+  expect_failure(sir({"model"}, start), "standard output: cannot be written");
+  expect_failure(sir_reading("create a cube 1\nsave a /dev/full\n", {"model"}), "/dev/full");
+}
+
+class ModelPrompt : public CliTest {
+ protected:
+  void SetUp() override {
+    if (!terminals_exist()) GTEST_SKIP() << "no terminal to type at";
+    ::setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
+    ::setenv("TERM", "xterm", 1);
+  }
+};
+
+TEST_F(ModelPrompt, SaysWhatIsWrongAndGoesOn) {
+  AtTerminal terminal({"model"}, folder.path(), 80);
+  ASSERT_TRUE(terminal.wait_for("sir> "));
+  terminal.type("create bola sphere 1\r");
+  ASSERT_TRUE(terminal.wait_for("bola: sphere"));
+  terminal.type("delete bloa\r");
+  ASSERT_TRUE(terminal.wait_for("did you mean \"bola\"?"));
+  terminal.type("load x nada\r");
+  ASSERT_TRUE(terminal.wait_for("nada.CSG: is missing"));
+  terminal.type("save bola bola\r");
+  ASSERT_TRUE(terminal.wait_for("wrote bola.CSG (1 node)"));
+  terminal.type("quit\r");
+  EXPECT_EQ(terminal.finish(), 0);
+  EXPECT_TRUE(folder.read("bola.CSG").starts_with("1\n"));
+}
+
+TEST_F(ModelPrompt, WarnsOnceOfWhatIsNotSaved) {
+  AtTerminal terminal({"model"}, folder.path(), 80);
+  ASSERT_TRUE(terminal.wait_for("sir> "));
+  terminal.type("create bola sphere 1\r");
+  ASSERT_TRUE(terminal.wait_for("bola: sphere"));
+  terminal.type("\x04");  // the end of input is a quit
+  ASSERT_TRUE(terminal.wait_for("not saved: \"bola\"; quit again to leave"));
+  terminal.type("quit\r");
+  EXPECT_EQ(terminal.finish(), 0);
+}
+
+#ifdef SIR_WITH_EDIT
+TEST_F(ModelPrompt, CompletesAndRemembers) {
+  {
+    AtTerminal terminal({"model"}, folder.path(), 80);
+    ASSERT_TRUE(terminal.wait_for("sir> "));
+    terminal.type("cre\t\"Cálice um\" cu\t1\r");
+    ASSERT_TRUE(terminal.wait_for("Cálice um: cube"));
+    terminal.type("inspect ca\tvol\t\r");
+    ASSERT_TRUE(terminal.wait_for("volume 1, give or take"));
+    terminal.type("create x\x03list\r");  // Ctrl-C empties the line
+    ASSERT_TRUE(terminal.wait_for("\"Cálice um\": cube"));
+    terminal.type("delete ca\t\r");
+    ASSERT_TRUE(terminal.wait_for("Cálice um: deleted"));
+    terminal.type("quit\r");
+    EXPECT_EQ(terminal.finish(), 0);
+    EXPECT_THAT(terminal.shown(), Not(HasSubstr("exists already")));
+  }
+  EXPECT_TRUE(folder.has("state/sir/history"));
+  AtTerminal terminal({"model"}, folder.path(), 80);
+  ASSERT_TRUE(terminal.wait_for("sir> "));
+  for (int i = 0; i < 5; ++i) terminal.type("\x1b[A");  // five lines back
+  terminal.type("\r");
+  ASSERT_TRUE(terminal.wait_for("Cálice um: cube"));
+  terminal.type("quit\rquit\r");
+  EXPECT_EQ(terminal.finish(), 0);
+}
+#endif
+
+TEST_F(ModelPrompt, ADumbTerminalGetsPlainLines) {
+  ::setenv("TERM", "dumb", 1);
+  AtTerminal terminal({"model", "-q"}, folder.path(), 80);
+  ASSERT_TRUE(terminal.wait_for("sir> "));
+  terminal.type("list\n");
+  ASSERT_TRUE(terminal.wait_for("the list of solids is empty"));
+  terminal.type("\x04");
+  EXPECT_EQ(terminal.finish(), 0);
+  EXPECT_EQ(terminal.shown(), "sir> list\nthe list of solids is empty\nsir> \n");
+}
+
+TEST_F(ModelPrompt, ASignalEndsIt) {
+  AtTerminal terminal({"model"}, folder.path(), 80);
+  ASSERT_TRUE(terminal.wait_for("sir> "));
+  terminal.signal(SIGTERM);
+  EXPECT_EQ(terminal.finish(), 130);
+}
+
+}  // namespace
+}  // namespace sir::test
