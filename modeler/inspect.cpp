@@ -16,9 +16,10 @@
 namespace sir::modeler {
 namespace {
 
-constexpr std::size_t kShort = 12;        // primitives, coincidences where all is told
-constexpr std::size_t kShortTree = 60;    // nodes there
-constexpr std::size_t kRays = 12 * 1024;  // for the volume
+constexpr std::size_t kShort = 12;               // primitives, coincidences where all is told
+constexpr std::size_t kShortTree = 60;           // nodes there
+constexpr std::size_t kRays = 12 * 1024;         // for the volume
+constexpr std::size_t kMostTests = 100'000'000;  // primitives times rays, or fewer rays do
 constexpr double kNearlySingular = 1e8;
 
 std::string text_of(const glm::dvec3& v) {
@@ -100,7 +101,7 @@ std::string surface_list(const Node& tree) {
 }
 
 std::string volume_text(const Node& tree) {
-  const Sampling sampling = sample(tree, kRays);
+  const Sampling sampling = sample(tree, std::clamp(kMostTests / tree.count, kRays / 16, kRays));
   if (!sampling.inside)
     return sampling.rays == 0 ? "  volume 0: the bounds are empty\n"
                               : fmt::format("  volume 0: none of {} rays met it\n", sampling.rays);
@@ -111,6 +112,13 @@ std::string volume_text(const Node& tree) {
       2, 7);
   return fmt::format("  volume {:.{}g}, give or take {:.1g} ({} rays)\n", sampling.volume, digits,
                      error, sampling.rays);
+}
+
+// As show frames it.
+Box box_in_obs(const Node& tree) {
+  const Box& box = tree.bounds;
+  if (is_empty(box) || !std::isfinite(glm::length(box.high - box.low))) return {};
+  return bounds_in_obs(tree, framing(filled_box(tree), 4.0 / 3)).front();
 }
 
 }  // namespace
@@ -200,8 +208,7 @@ std::vector<std::string> warnings(const Node& tree, std::size_t most_coincidence
   return found;
 }
 
-std::string inspect(const std::string& name, const Node& tree, const CameraFile& camera,
-                    Aspect aspect) {
+std::string inspect(const std::string& name, const Node& tree, Aspect aspect) {
   const bool all = aspect == Aspect::all;
   const auto wanted = [&](Aspect one) { return all || aspect == one; };
   std::string text = fmt::format("{}: {}\n", in_quotes(name), type_text(tree));
@@ -209,7 +216,7 @@ std::string inspect(const std::string& name, const Node& tree, const CameraFile&
   if (tree.slot.number != FileSlot::kNone) text += fmt::format("  number {}\n", tree.slot.number);
   if (wanted(Aspect::bounds))
     text += fmt::format("  bounds in SC_CENA {}\n  bounds in SC_OBS  {}\n", text_of(tree.bounds),
-                        text_of(bounds_in_obs(tree, camera).front()));
+                        text_of(box_in_obs(tree)));
   if (wanted(Aspect::matrices)) text += matrices_text(tree, all ? kShort : tree.count);
   if (wanted(Aspect::surfaces)) text += surface_list(tree);
   if (wanted(Aspect::tree) && (tree.composite() != nullptr || !all))

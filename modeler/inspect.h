@@ -5,18 +5,16 @@
 #include <vector>
 
 #include "modeler/node.h"
-#include "tracer/scene.h"
 
 namespace sir::modeler {
 
 /// What to tell (opção_de_verificação).
 enum class Aspect { all, bounds, matrices, surfaces, tree, volume, warnings };
 
-/// Name and type, and what was asked for: the bounds in SC_CENA and, by this camera, in SC_OBS;
-/// LOCAL_CENA and CENA_LOCAL of the primitives; surface numbers; the tree; the volume, found by
-/// sampling; and warnings(). With `all` the long parts are cut short.
-std::string inspect(const std::string& name, const Node& tree, const CameraFile& camera,
-                    Aspect aspect = Aspect::all);
+/// Name and type, and what was asked for: the bounds in SC_CENA and, by the camera of show, in
+/// SC_OBS; LOCAL_CENA and CENA_LOCAL of the primitives; surface numbers; the tree; the volume,
+/// found by sampling; and warnings(). With `all` the long parts are cut short.
+std::string inspect(const std::string& name, const Node& tree, Aspect aspect = Aspect::all);
 
 /// What is probably not meant, a line each: composites that are empty (found by sampling), faces
 /// that coincide, matrices that are nearly singular (of condition above 1e8: half of double's

@@ -18,6 +18,12 @@ using Path = std::filesystem::path;
 
 std::string suffix_of(const Path& file) { return fold_keyword(file.extension().string()); }
 
+// A pipe or a device, such as /dev/stdout, has its name already.
+bool is_device(const Path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_other(file, ignored);
+}
+
 }  // namespace
 
 void Interpreter::require_writable(const Path& file) const {
@@ -32,7 +38,7 @@ Reply Interpreter::save(const std::string& name, const Path& given) {
     if (suffix == other)
       throw CommandError(in_quotes(given.string()) +
                          " is the name of another kind of file; a solid is a .CSG or a .model");
-  const Path file = suffix.empty() ? with_suffix(given, "CSG") : given;
+  const Path file = suffix.empty() && !is_device(given) ? with_suffix(given, "CSG") : given;
   require_writable(file);
   Reply reply;
   if (suffix == ".model") {

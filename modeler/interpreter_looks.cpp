@@ -7,6 +7,7 @@
 #include "modeler/command_error.h"
 #include "modeler/interpreter.h"
 #include "modeler/operations.h"
+#include "modeler/sampling.h"
 #include "modeler/silhouette.h"
 #include "modeler/view.h"
 #include "tracer/render.h"
@@ -60,7 +61,7 @@ CameraFile camera_for(const Node& tree, const std::string& base, double aspect) 
   const glm::dvec3 extent = tree.bounds.high - tree.bounds.low;
   if (is_empty(tree.bounds) || !std::isfinite(extent.x + extent.y + extent.z))
     throw CommandError("the solid's bounds are empty: there is nothing to look at");
-  return framing(tree.bounds, aspect);
+  return framing(filled_box(tree), aspect);
 }
 
 // The light and the surfaces of BASE, where it has them; numbers that it does not describe keep
@@ -130,12 +131,8 @@ Reply Interpreter::inspect(Arguments& words) const {
   Aspect aspect = Aspect::all;
   if (words.left() > 0) aspect = value_of(aspects(), words.next(), "part of what is known");
   words.end();
-  const Node& tree = *require(solids_, name)->solid.tree();
-  const Box& box = tree.bounds;
-  const bool framed = !is_empty(box) && std::isfinite(glm::length(box.high - box.low));
   Reply reply;
-  reply.text =
-      modeler::inspect(name, tree, framed ? framing(box, 4.0 / 3.0) : CameraFile{}, aspect);
+  reply.text = modeler::inspect(name, *require(solids_, name)->solid.tree(), aspect);
   return reply;
 }
 

@@ -76,6 +76,8 @@ Sampling sample(const Node& tree, std::size_t rays) {
       direction[axis] = extent[axis];
       double entered = 0;
       for (const ProbeHit& hit : prober->hits(origin, direction)) {
+        const glm::dvec3 point = origin + hit.t * direction;
+        result.met.include({point, point});
         if (hit.entering) {
           entered = hit.t;
           continue;
@@ -95,6 +97,23 @@ Sampling sample(const Node& tree, std::size_t rays) {
   result.error = 2 * std::sqrt(square / (kGroups * (kGroups - 1)));
   result.rays = kGroups * per_group;
   return result;
+}
+
+Box filled_box(const Node& tree) {
+  constexpr std::size_t kRays = 12 * 512, kMostTests = 20'000'000;  // primitives times rays
+  bool takes_away = false;
+  for (const Node* node : preorder(tree))
+    if (const Composite* composite = node->composite())
+      takes_away = takes_away || composite->operation != Operation::union_of;
+  const std::size_t rays = std::min(kRays, kMostTests / tree.count);
+  if (!takes_away || rays < kRays / 8) return tree.bounds;  // they would tell nothing, or take long
+  const Sampling sampling = sample(tree, rays);
+  if (!sampling.inside) return tree.bounds;
+  // Between two rays something may reach beyond what both met.
+  const glm::dvec3 gap =
+      (tree.bounds.high - tree.bounds.low) * (2 / std::sqrt(static_cast<double>(rays) / 3));
+  return {glm::max(sampling.met.low - gap, tree.bounds.low),
+          glm::min(sampling.met.high + gap, tree.bounds.high)};
 }
 
 std::vector<const Node*> empty_composites(const Node& tree) {

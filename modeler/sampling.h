@@ -19,10 +19,15 @@ struct Sampling {
   double error = 0;  ///< twice the standard error of the volume, from what groups of rays say
   std::size_t rays = 0;
   std::optional<glm::dvec3> inside;  ///< a point of the solid; none: no ray met it
+  Box met;                           ///< around all points where a ray entered or left
 };
 
 /// `rays`: about how many.
 Sampling sample(const Node& tree, std::size_t rays);
+
+/// Where the solid is to be looked for: its bounds in SC_CENA, but without what differences and
+/// intersections leave of them empty, as far as rays can tell; a little more rather than less.
+Box filled_box(const Node& tree);
 
 /// The composites of which no ray meets anything, though there is something to each part that
 /// counts: differences that leave nothing, intersections of solids that share nothing. A part for

@@ -133,6 +133,35 @@ TEST_F(Look, TheFrameHoldsTheWholeBox) {
   }
 }
 
+TEST_F(Look, WhatADifferenceHasTakenAwayIsNotLookedAt) {
+  // Bounds are the left part's: 100 long. What is left of it is 1 long, and 4 rays apart.
+  say_all({"create a cylinder 1", "scale a 1 100 1", "create b cube 1", "scale b 4 200 4",
+           "translate b -2 1 -2", "combine c a difference b"});
+  EXPECT_EQ(solid("c").bounds.high.y, 100);
+  const modeler::Box box = modeler::filled_box(solid("c"));
+  EXPECT_GE(box.high.y, 1);
+  EXPECT_LT(box.high.y, 1 + 100 * 0.05);
+  EXPECT_EQ(box.low, solid("c").bounds.low);
+  say("show c x.png --size 80x60");
+  const auto lit = [](const Planes& picture) {
+    return std::count(picture.channel[0].begin(), picture.channel[0].end(), 255);
+  };
+  const CameraFile wide = modeler::framing(solid("c").bounds, 4.0 / 3);
+  EXPECT_GT(lit(written), 3 * lit(modeler::silhouette(
+                                  solid("c"), modeler::scene_of(solid("c"), wide), {80, 60})));
+  // All that there is stays in it, whatever the solid.
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const modeler::NodePtr tree = modeler::from_csg(random_scene(seed, 5, false).tree);
+    const modeler::Box filled = modeler::filled_box(*tree);
+    const modeler::Box met = modeler::sample(*tree, 100'000).met;
+    if (modeler::is_empty(met)) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_LE(filled.low[axis], met.low[axis] + 1e-12) << seed;
+      EXPECT_GE(filled.high[axis], met.high[axis] - 1e-12) << seed;
+    }
+  }
+}
+
 TEST_F(Look, ShowWritesPicturesAndDrawsInCharacters) {
   say_all({"create a cube 1", "create b sphere 2"});
   EXPECT_THAT(say("show a x.png").done, HasSubstr("wrote x.png"));
@@ -214,6 +243,21 @@ TEST_F(Look, EmptySolidsAreFound) {
   say_all({"create g sphere 1", "create h sphere 1", "translate h 1.1 1.1 1.1", "scale g 1.001",
            "combine sliver g intersection h"});
   EXPECT_THAT(warned("sliver"), IsEmpty());
+}
+
+// What is known of the whole spares most of the work for its parts, or it would not be done.
+TEST_F(Look, AnEmptyPartIsFoundUnderAThousandOthers) {
+  say_all({"create a sphere 1", "create b sphere 1", "translate b 1.3 1.3 1.3",
+           "combine lens a intersection b", "create block cube 1", "scale block 50",
+           "combine c0 block difference lens"});
+  for (int i = 1; i <= 1000; ++i) {
+    const std::string n = std::to_string(i);
+    say("create h" + n + " sphere 1");
+    say("scale h" + n + " 0.01");
+    say("translate h" + n + " " + std::to_string(i * 0.04) + " 30 30");
+    say("combine c" + n + " c" + std::to_string(i - 1) + " difference h" + n);
+  }
+  EXPECT_THAT(modeler::warnings(solid("c1000")), ElementsAre(HasSubstr("\"lens\" is empty")));
 }
 
 TEST_F(Look, ThinThingsAreNotTakenForEmpty) {

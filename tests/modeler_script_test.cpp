@@ -113,6 +113,19 @@ TEST_F(ScriptTest, PlainPlacementsAreReadable) {
   EXPECT_THAT(modeler::script_text(solid("b"), "b.CSG"), HasSubstr("\nmatrix b "));
 }
 
+TEST_F(ScriptTest, NamesThatRepeatAreToldApartOnlyWhereTheyMeet) {
+  say_all({"create a cube 1", "create b cube 1", "combine c a union b", "create a cube 2",
+           "create d cube 1", "label d a", "combine e a union d", "combine f c union e",
+           "label f c"});
+  const std::string script = modeler::script_text(solid("f"), "f.CSG");
+  EXPECT_THAT(script, HasSubstr("combine c a union b\n"));
+  EXPECT_THAT(script, HasSubstr("create a cube 2\n"));  // the first one is part of c by then
+  EXPECT_THAT(script, HasSubstr("create \"a (2)\" cube 1\nlabel \"a (2)\" a\n"));
+  EXPECT_THAT(script, HasSubstr("combine \"c (2)\" c union e\nlabel \"c (2)\" c\n"));
+  const std::string text = csg_text(modeler::to_csg(solid("f")));
+  EXPECT_EQ(built(script_of(read(text))), text);
+}
+
 TEST_F(ScriptTest, NumbersThatAreNotThoseOfThePlacesAreKept) {
   // Leaves first, from 0, as programs write.
   const std::string text =
@@ -152,7 +165,7 @@ TEST_F(ScriptTest, AnErrorNamesTheLineAndStops) {
   EXPECT_TRUE(has("a"));
   EXPECT_FALSE(has("b"));
   EXPECT_EQ(message("create a cube 1\nquit\nnonsense\n"), "(none)");
-  EXPECT_EQ(message("create \"Ma\xE7\xE3\" cube 1\ndelete Ma\xC3\xA7\xE3"),
+  EXPECT_EQ(message("create \"Ma\xE7\xE3\" cube 1\ndelete Ma\xC3\xA7\xC3\xA3"),
             "T.model:2: there is no solid \"Ma\xC3\x83\xC2\xA7\xC3\x83\xC2\xA3\"");  // one file,
                                                                                      // one encoding
   folder.write("bad.CSG", "0\n");
