@@ -72,6 +72,7 @@ Interpreter::Interpreter(Outlet outlet) : outlet_(std::move(outlet)) {}
 Reply Interpreter::execute(std::string_view line) {
   std::vector<std::string> words = split_words(line);
   if (words.empty()) return {};
+  if (outlet_.stop.stop_requested()) throw CommandError("interrupted");
   const CommandInfo* info = find_command(words.front());
   if (info == nullptr) {
     NearestName nearest(words.front());

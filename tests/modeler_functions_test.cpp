@@ -323,6 +323,17 @@ TEST_F(Functions, RenameLabelAndNumber) {
   EXPECT_THAT(reply.warnings, ElementsAre(HasSubstr("numbered anew")));
 }
 
+TEST_F(Functions, NothingIsBegunAfterAStop) {
+  std::stop_source source;
+  modeler::Outlet outlet;
+  outlet.stop = source.get_token();
+  interpreter = modeler::Interpreter(outlet);
+  say("create a cube 1");
+  source.request_stop();
+  expect_refused("create b cube 1", "interrupted");
+  expect_refused("show a", "interrupted");
+}
+
 TEST_F(Functions, HelpKnowsEveryCommand) {
   const std::string all = say("help").text;
   for (const modeler::CommandInfo& info : modeler::commands()) {
