@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 
-#include "cli/interrupt.h"
+#include "cli/input_wait.h"
 #include "cli/session.h"
 
 namespace sir::cli {
@@ -21,8 +21,9 @@ class PlainReader : public LineReader {
     std::string line;
     // Byte by byte: a terminal gives lines, and what comes after one is not ours to keep.
     for (char letter = 0;;) {
+      if (!wait_for_input(STDIN_FILENO)) return std::nullopt;
       const ssize_t got = ::read(STDIN_FILENO, &letter, 1);
-      if (got < 0 && errno == EINTR && !interrupted()) continue;
+      if (got < 0 && errno == EINTR) continue;
       if (got <= 0) return line.empty() || got < 0 ? std::nullopt : std::optional(line);
       if (letter == '\n') return line;
       line += letter;

@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <cwchar>
 #include <string_view>
 
+#include "cli/input_wait.h"
 #include "cli/interrupt.h"
 #include "cli/line_reader.h"
 #include "viewer/terminal.h"
@@ -37,6 +40,7 @@ class EditingReader : public LineReader {
     if (!options_.history.empty()) ::history(history_, &event, H_LOAD, options_.history.c_str());
     el_set(editor_, EL_CLIENTDATA, this);
     el_set(editor_, EL_PROMPT, &EditingReader::prompt);
+    el_set(editor_, EL_GETCFN, &EditingReader::read_character);
     el_set(editor_, EL_EDITOR, "emacs");
     el_set(editor_, EL_HIST, &::history, history_);
     el_set(editor_, EL_ADDFN, "sir-complete", "complete the word", &EditingReader::complete);
@@ -73,6 +77,22 @@ class EditingReader : public LineReader {
     void* self = nullptr;
     el_get(editor, EL_CLIENTDATA, &self);
     return *static_cast<EditingReader*>(self);
+  }
+
+  // A character of UTF-8, as libedit wants it: 1, or 0 at the end of input, or -1.
+  static int read_character(EditLine*, wchar_t* character) {
+    std::mbstate_t state{};
+    for (;;) {
+      if (!wait_for_input(STDIN_FILENO)) return -1;
+      char byte = 0;
+      const ssize_t got = ::read(STDIN_FILENO, &byte, 1);
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) return static_cast<int>(got);
+      const std::size_t used = std::mbrtowc(character, &byte, 1, &state);
+      if (used == static_cast<std::size_t>(-2)) continue;  // there is more to it
+      if (used != static_cast<std::size_t>(-1)) return 1;
+      state = {};  // no character: passed over
+    }
   }
 
   static char* prompt(EditLine* editor) { return of(editor).options_.prompt.data(); }

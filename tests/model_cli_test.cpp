@@ -1,9 +1,11 @@
 // sir model from outside: scripts, standard input, --from, the prompt.
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <termios.h>
 
 #include "tests/at_terminal.h"
 #include "tests/cli_fixture.h"
+#include "tests/eventually.h"
 #include "viewer/png_file.h"
 
 namespace sir::test {
@@ -114,19 +116,32 @@ class ModelPrompt : public CliTest {
     ::setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
     ::setenv("TERM", "xterm", 1);
   }
+
+  /// Waits until lines can be edited, which is a moment after the prompt is there.
+  static void wait_for_editor(const AtTerminal& terminal) {
+#ifdef SIR_WITH_EDIT
+    ASSERT_TRUE(eventually([&] { return (terminal.modes().c_lflag & ICANON) == 0; }));
+#else
+    (void)terminal;
+#endif
+  }
+
+  /// Types a line and waits for what it says, and for the next prompt.
+  static void answer(AtTerminal& terminal, const std::string& keys, const std::string& said) {
+    terminal.type(keys);
+    ASSERT_TRUE(terminal.wait_for(said + "\r\nsir> ")) << terminal.shown();
+    if (std::string(::getenv("TERM")) != "dumb") wait_for_editor(terminal);
+  }
 };
 
 TEST_F(ModelPrompt, SaysWhatIsWrongAndGoesOn) {
   AtTerminal terminal({"model"}, folder.path(), 80);
   ASSERT_TRUE(terminal.wait_for("sir> "));
-  terminal.type("create bola sphere 1\r");
-  ASSERT_TRUE(terminal.wait_for("bola: sphere"));
-  terminal.type("delete bloa\r");
-  ASSERT_TRUE(terminal.wait_for("did you mean \"bola\"?"));
-  terminal.type("load x nada\r");
-  ASSERT_TRUE(terminal.wait_for("nada.CSG: is missing"));
-  terminal.type("save bola bola\r");
-  ASSERT_TRUE(terminal.wait_for("wrote bola.CSG (1 node)"));
+  wait_for_editor(terminal);
+  answer(terminal, "create bola sphere 1\r", "bola: sphere");
+  answer(terminal, "delete bloa\r", "did you mean \"bola\"?");
+  answer(terminal, "load x nada\r", "nada.CSG: is missing (looked for nada.CSG and nada.csg)");
+  answer(terminal, "save bola bola\r", "wrote bola.CSG (1 node)");
   terminal.type("quit\r");
   EXPECT_EQ(terminal.finish(), 0);
   EXPECT_TRUE(folder.read("bola.CSG").starts_with("1\n"));
@@ -135,10 +150,10 @@ TEST_F(ModelPrompt, SaysWhatIsWrongAndGoesOn) {
 TEST_F(ModelPrompt, WarnsOnceOfWhatIsNotSaved) {
   AtTerminal terminal({"model"}, folder.path(), 80);
   ASSERT_TRUE(terminal.wait_for("sir> "));
-  terminal.type("create bola sphere 1\r");
-  ASSERT_TRUE(terminal.wait_for("bola: sphere"));
-  terminal.type("\x04");  // the end of input is a quit
-  ASSERT_TRUE(terminal.wait_for("not saved: \"bola\"; quit again to leave"));
+  wait_for_editor(terminal);
+  answer(terminal, "create bola sphere 1\r", "bola: sphere");
+  answer(terminal, "\x04",
+         "not saved: \"bola\"; quit again to leave");  // the end of input is a quit
   terminal.type("quit\r");
   EXPECT_EQ(terminal.finish(), 0);
 }
@@ -148,14 +163,11 @@ TEST_F(ModelPrompt, CompletesAndRemembers) {
   {
     AtTerminal terminal({"model"}, folder.path(), 80);
     ASSERT_TRUE(terminal.wait_for("sir> "));
-    terminal.type("cre\t\"Cálice um\" cu\t1\r");
-    ASSERT_TRUE(terminal.wait_for("Cálice um: cube"));
-    terminal.type("inspect ca\tvol\t\r");
-    ASSERT_TRUE(terminal.wait_for("volume 1, give or take"));
-    terminal.type("create x\x03list\r");  // Ctrl-C empties the line
-    ASSERT_TRUE(terminal.wait_for("\"Cálice um\": cube"));
-    terminal.type("delete ca\t\r");
-    ASSERT_TRUE(terminal.wait_for("Cálice um: deleted"));
+    wait_for_editor(terminal);
+    answer(terminal, "cre\t\"Cálice um\" cu\t1\r", "Cálice um: cube");
+    answer(terminal, "inspect ca\tvol\t\r", "volume 1, give or take 1e-06 (12288 rays)");
+    answer(terminal, "create x\x03list\r", "\"Cálice um\": cube");  // Ctrl-C empties the line
+    answer(terminal, "delete ca\t\r", "Cálice um: deleted");
     terminal.type("quit\r");
     EXPECT_EQ(terminal.finish(), 0);
     EXPECT_THAT(terminal.shown(), Not(HasSubstr("exists already")));
@@ -163,10 +175,11 @@ TEST_F(ModelPrompt, CompletesAndRemembers) {
   EXPECT_TRUE(folder.has("state/sir/history"));
   AtTerminal terminal({"model"}, folder.path(), 80);
   ASSERT_TRUE(terminal.wait_for("sir> "));
+  wait_for_editor(terminal);
   for (int i = 0; i < 5; ++i) terminal.type("\x1b[A");  // five lines back
-  terminal.type("\r");
-  ASSERT_TRUE(terminal.wait_for("Cálice um: cube"));
-  terminal.type("quit\rquit\r");
+  answer(terminal, "\r", "Cálice um: cube");
+  answer(terminal, "quit\r", "not saved: \"Cálice um\"; quit again to leave");
+  terminal.type("quit\r");
   EXPECT_EQ(terminal.finish(), 0);
 }
 #endif
@@ -175,8 +188,7 @@ TEST_F(ModelPrompt, ADumbTerminalGetsPlainLines) {
   ::setenv("TERM", "dumb", 1);
   AtTerminal terminal({"model", "-q"}, folder.path(), 80);
   ASSERT_TRUE(terminal.wait_for("sir> "));
-  terminal.type("list\n");
-  ASSERT_TRUE(terminal.wait_for("the list of solids is empty"));
+  answer(terminal, "list\n", "the list of solids is empty");
   terminal.type("\x04");
   EXPECT_EQ(terminal.finish(), 0);
   EXPECT_EQ(terminal.shown(), "sir> list\nthe list of solids is empty\nsir> \n");
