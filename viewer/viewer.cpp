@@ -74,7 +74,9 @@ bool Viewer::refresh() {
     composed_ = false;
     viewport_.set_picture(size);
     split_column_ = std::clamp(split_column_, 0, size.width);
+    if (pinned_ && (pinned_->x >= size.width || pinned_->y >= size.height)) pinned_.reset();
   }
+  shown_once_ = shown_once_ || sides_[0].picture();
   std::string news = workshop_.state(number_).message;
   for (const Side& side : sides_)
     if (news.empty()) news = side.error();

@@ -173,6 +173,9 @@ void Viewer::pin_entry_of_pixel() {
   const auto at = inspected();
   if (!at) return say("point at a pixel first");
   const auto screen = side(side_of(*at)).station().capture();
+  // The right side may still have a picture of another size.
+  if (at->x >= screen.size.width || at->y >= screen.size.height)
+    return say("that side has no such pixel yet");
   pin_entry(
       screen.indices[static_cast<std::size_t>(at->y) * static_cast<std::size_t>(screen.size.width) +
                      static_cast<std::size_t>(at->x)]);

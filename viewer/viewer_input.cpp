@@ -83,7 +83,7 @@ void Viewer::answer_prompt() {
 }
 
 void Viewer::point(Place at) {
-  hovered_ = viewport_.pixel_at(at);
+  mouse_ = at;
   stale_ = stale_ || inspector_open_ || panel_open_;
   if (!drag_from_) return;
   if (dragging_split_) {
@@ -122,8 +122,8 @@ void Viewer::release(Button button, Place at) {
 }
 
 void Viewer::wheel(int steps, Place at) {
+  mouse_ = at;
   zoom(steps, at);
-  hovered_ = viewport_.pixel_at(at);
   stale_ = true;
 }
 
