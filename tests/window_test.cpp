@@ -229,6 +229,39 @@ TEST_F(WindowTest, SSavesTheIndexedScreen) {
             test::shown_colour(kLarge, 3, 6, 1, 0b11110111));
 }
 
+#ifdef SIR_WITH_IMGUI
+TEST_F(WindowTest, APanelThatClosesUnderTheMouseLeavesNoEntryShown) {
+  ViewerOptions whole = options();
+  whole.image_area_only = false;
+  Window window(inputs_, whole);
+  window.settle();
+  type(window, {SDLK_p});
+  window.pixels();
+  const int width = window.pixels().size.width;
+  for (int y = 0; y < 700 && !window.viewer().entry(); y += 10) {
+    move(width - 170, y);
+    window.settle();
+    window.pixels();
+  }
+  ASSERT_TRUE(window.viewer().entry());
+  type(window, {SDLK_p});
+  window.pixels();
+  EXPECT_FALSE(window.viewer().entry());
+
+  type(window, {SDLK_p});
+  window.pixels();
+  window.pixels();
+  ASSERT_TRUE(window.viewer().entry());  // the mouse is still there
+  SDL_Event event{};
+  event.type = SDL_WINDOWEVENT;
+  event.window.event = SDL_WINDOWEVENT_LEAVE;
+  send(event);
+  window.settle();
+  window.pixels();
+  EXPECT_FALSE(window.viewer().entry());
+}
+#endif
+
 TEST_F(WindowTest, WhatCannotBeShownAtAllEndsItWithTheReason) {
   folder_.write("broken.png", "no picture");
   Window window({folder_ / "broken.png"}, options());
