@@ -402,6 +402,38 @@ TEST_F(ViewerTest, TrueColourOfAPictureWithoutALutFileAfterOneThatHasOne) {
   EXPECT_EQ(to_planes(viewer_->picture()), test::made_picture(kSmall, 5));
 }
 
+TEST_F(ViewerTest, TheReferenceGoesWithItsKeyWhateverElseIsHeldThen) {
+  three();
+  viewer_->press(*parse_key("Space"));
+  viewer_->release(*parse_key("Shift+Space"));
+  EXPECT_FALSE(viewer_->shows_reference());
+}
+
+TEST_F(ViewerTest, TrueColourWinsNoDuel) {
+  Viewer& viewer = three();
+  type({"V", "Tab", "T", "W"});
+  EXPECT_TRUE(viewer.tally().empty());
+  EXPECT_EQ(viewer.map(), Map::none);
+  EXPECT_THAT(viewer.message(), HasSubstr("true colour"));
+  type({"R", "W"});
+  EXPECT_FALSE(viewer.tally().empty());
+  type({"V", "T", "D"});  // alone it has no errors either
+  EXPECT_EQ(viewer.map(), Map::none);
+}
+
+TEST_F(ViewerTest, AsSeenThroughATubeIsWhatIsSeen) {
+  ViewerOptions with = options();
+  with.crt.emplace().scale = 2;
+  three(with);
+  type({"T", "Shift+S"});
+  EXPECT_EQ(read_png(folder_ / "A-seen.png"), test::made_picture(kLarge, 3));
+  viewer_->point(middle_of({9, 9}));
+  type({"R", "E"});
+  const Planes seen = to_planes(viewer_->picture());
+  type({"Shift+S"});
+  EXPECT_EQ(read_png(folder_ / "A-seen-2.png"), seen);
+}
+
 TEST_F(ViewerTest, AFileThatIsNoPictureIsSaidAndHopelessIfAlone) {
   folder_.write("broken.png", "no picture");
   viewer_ = std::make_unique<Viewer>(options());

@@ -121,6 +121,14 @@ int Viewer::middle_column() const {
 void Viewer::show_map(Map map) {
   map_ = map_ == map ? Map::none : map;
   if (map_ == Map::duel && !duel_) toggle_duel();
+  const auto true_colour = [&](int side) {
+    return sides_[static_cast<std::size_t>(side)].chosen() == Method::true_colour;
+  };
+  const bool a = true_colour(0), b = true_colour(duel_ ? 1 : 0);
+  if ((map_ == Map::duel && (a || b)) || (map_ == Map::heat && a && b)) {
+    map_ = Map::none;
+    say("true colour is what maps compare with: choose a method first");
+  }
   refresh();
 }
 
@@ -202,7 +210,8 @@ void Viewer::save_as_seen() {
         (sides_[0].picture() ? sides_[0].picture()->base.filename().string() : "sir") + "-seen";
     const auto path = free_name(options_.screenshots, stem);
     // The tube's spot, scan lines and shape are too dear to follow every key.
-    const bool alone = crt_on_ && !duel_ && !player_ && map_ == Map::none && !reference_held_;
+    const bool alone = crt_on_ && !duel_ && !player_ && map_ == Map::none && !reference_held_ &&
+                       !sides_[0].true_colour() && !entry();
     if (alone && !crt_.options().is_colour_map())
       write_rgb_png(path, eltek::to_planes(crt_.show(sides_[0].station().capture())));
     else write_rgb_png(path, to_planes(picture()));
@@ -216,6 +225,7 @@ void Viewer::save_as_seen() {
 void Viewer::toggle_panel() {
 #ifdef SIR_WITH_IMGUI
   panel_open_ = !panel_open_;
+  hover_entry(std::nullopt);  // there is no field left to leave
   refresh();
 #else
   say("this build has no panel (it was made without Dear ImGui)");

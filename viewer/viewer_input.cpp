@@ -39,7 +39,8 @@ bool Viewer::press(const Key& key) {
 
 void Viewer::release(const Key& key) {
   key_taken_ = false;
-  if (command_for(key) == Command::flip_reference) hold_reference(false);
+  // Whatever else went down meanwhile.
+  if (command_for(Key{.code = key.code}) == Command::flip_reference) hold_reference(false);
 }
 
 void Viewer::hold_reference(bool held) {
