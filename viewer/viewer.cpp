@@ -43,6 +43,7 @@ Viewer::Viewer(ViewerOptions options)
 }
 
 void Viewer::open(const std::filesystem::path& input, bool show) {
+  if (player_) return say("a register trace is played; sir show opens pictures");
   const std::size_t number = workshop_.open(input);
   inputs_.push_back(input);
   if (show) turn_to(number);
@@ -142,7 +143,7 @@ void Viewer::compose_trace() {
 }
 
 std::string Viewer::title() const {
-  std::string title = "SIR";
+  std::string title = player_ ? trace_name_ + " - register trace" : "SIR";
   if (workshop_.count() > 0) {
     title = sides_[0].picture() ? sides_[0].picture()->base.filename().string()
                                 : inputs_[number_].filename().string();

@@ -49,8 +49,8 @@ class Viewer {
   /// Opens a further picture in the background and turns to it where `show` says so.
   void open(const std::filesystem::path& input, bool show);
 
-  /// Plays a register trace on an MA120 of its own instead of showing pictures. `name` is for
-  /// titles.
+  /// Plays a register trace on an MA120 of its own instead of showing pictures: those that are
+  /// opened from then on are refused with a message. `name` is for titles and screenshots.
   void replay(eltek::Trace trace, std::string name);
 
   /// A key goes down: to an open prompt, else to the command that it is for. Returns whether it
@@ -178,6 +178,7 @@ class Viewer {
   void go_to(Place image_pixel);
   void pin_entry_of_pixel();
   void zoom(int steps, std::optional<Place> anchor = {});
+  std::string stem(const Side& shown) const;  // of the names of its screenshots
   void save_screen();
   void save_as_seen();
   void cancel();

@@ -44,7 +44,7 @@ void Viewer::release(const Key& key) {
 }
 
 void Viewer::hold_reference(bool held) {
-  if (held == reference_held_) return;
+  if (held == reference_held_ || player_) return;
   reference_held_ = held;
   composed_ = false;
   stale_ = true;
