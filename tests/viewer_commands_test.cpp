@@ -441,6 +441,7 @@ TEST_F(ViewerTest, AFileThatIsNoPictureIsSaidAndHopelessIfAlone) {
   settle();
   EXPECT_THAT(viewer_->message(), HasSubstr("broken.png"));
   EXPECT_THAT(viewer_->hopeless(), HasSubstr("broken.png"));
+  EXPECT_TRUE(reports_.empty());  // whoever ends the window says it, and once is enough
 }
 
 TEST_F(ViewerTest, ChangedFilesAreShownAndVanishedOnesKeepTheLastPicture) {

@@ -177,6 +177,39 @@ TEST_F(WindowTest, CharactersThatNeedOtherKeysElsewhereAreCommandsToo) {
   EXPECT_GT(window.pixels().size.width, 0);  // drawn without harm on a window of 64 x 48
 }
 
+TEST_F(WindowTest, AHeldCharacterTogglesOnceToo) {
+  Window window(inputs_, options());
+  window.settle();
+  const auto question_mark = [](Uint8 repeat) {
+    press(SDLK_SLASH, KMOD_LSHIFT, repeat);
+    SDL_Event event{};
+    event.type = SDL_TEXTINPUT;
+    event.text.text[0] = '?';
+    send(event);
+  };
+  question_mark(0);
+  question_mark(1);
+  window.settle();
+  EXPECT_TRUE(window.viewer().key_sheet_open());
+  question_mark(0);
+  window.settle();
+  EXPECT_FALSE(window.viewer().key_sheet_open());
+}
+
+// Plus is a character of another key on many keyboards.
+TEST_F(WindowTest, TheWindowFollowsAZoomByACharacter) {
+  Window window(inputs_, options());
+  window.settle();
+  press(SDLK_EQUALS, KMOD_LSHIFT);
+  SDL_Event event{};
+  event.type = SDL_TEXTINPUT;
+  event.text.text[0] = '+';
+  send(event);
+  window.settle();
+  EXPECT_EQ(window.viewer().viewport().multiple(), 2);
+  EXPECT_EQ(window.pixels().size, (ImageSize{128, 96}));
+}
+
 TEST_F(WindowTest, LargePixelsShowTheirValues) {
   Window window(inputs_, options());
   window.settle();

@@ -84,7 +84,9 @@ bool Viewer::refresh() {
   if (news != news_) {
     // What was said of something else stays until a key goes down.
     if (!news.empty() || message_ == news_) message_ = news;
-    if (workshop_.state(number_).failed || !sides_[0].error().empty()) options_.report(news);
+    // What ends the window is said by whoever opened it.
+    const bool failed = workshop_.state(number_).failed || !sides_[0].error().empty();
+    if (failed && hopeless().empty()) options_.report(news);
     news_ = std::move(news);
     changed = true;
   }
