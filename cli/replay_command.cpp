@@ -112,10 +112,11 @@ void require_equal_reads(const std::string& trace, const eltek::TracePlayer& pla
 
 #ifdef SIR_WITH_SDL
 int step_through(const ReplayOptions& options, const Session& session) {
+  eltek::Trace trace = eltek::read_trace(options.trace);
   viewer::ViewerOptions viewer;
   viewer.report = [&session](const std::string& text) { note(session, text); };
   viewer::Window window({}, std::move(viewer));
-  window.viewer().replay(eltek::read_trace(options.trace), options.trace.filename().string());
+  window.viewer().replay(std::move(trace), options.trace.filename().string());
   if (options.steps) window.viewer().seek(*options.steps);
   window.run(interruption());
   return interrupted() ? kInterrupted : kDone;
@@ -152,9 +153,10 @@ void add_replay(CLI::App& app, Action& action) {
       "replay", "Do again what a trace of the MA120's registers holds (sir show --trace)");
   const auto options = std::make_shared<ReplayOptions>();
   sub->add_option("FILE", options->trace, "the trace")->required();
-  sub->add_option("--png", options->png,
-                  "write the frame as it is then: indexed PNG where it has one palette, else RGB")
-      ->type_name("OUT.png");
+  auto* png = sub->add_option(
+      "--png", options->png,
+      "write the frame as it is then: indexed PNG where it has one palette, else RGB");
+  png->type_name("OUT.png");
   sub->add_option_function<std::string>(
          "--steps",
          [options](const std::string& text) {
@@ -166,9 +168,11 @@ void add_replay(CLI::App& app, Action& action) {
          },
          "stop after so many records")
       ->type_name("N");
-  sub->add_flag("--json", options->json, "print JSON");
+  auto* json = sub->add_flag("--json", options->json, "print JSON");
   sub->add_flag("--window", options->window,
-                "step through it in a window: . and , one record, > and < a hundred, Home, End");
+                "step through it in a window: . and , one record, > and < a hundred, Home, End")
+      ->excludes(png)
+      ->excludes(json);
   sub->callback([&action, options] {
     action = [options](const Session& session) { return run_replay(*options, session); };
   });

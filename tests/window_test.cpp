@@ -177,6 +177,39 @@ TEST_F(WindowTest, CharactersThatNeedOtherKeysElsewhereAreCommandsToo) {
   EXPECT_GT(window.pixels().size.width, 0);  // drawn without harm on a window of 64 x 48
 }
 
+TEST_F(WindowTest, AHeldCharacterTogglesOnceToo) {
+  Window window(inputs_, options());
+  window.settle();
+  const auto question_mark = [](Uint8 repeat) {
+    press(SDLK_SLASH, KMOD_LSHIFT, repeat);
+    SDL_Event event{};
+    event.type = SDL_TEXTINPUT;
+    event.text.text[0] = '?';
+    send(event);
+  };
+  question_mark(0);
+  question_mark(1);
+  window.settle();
+  EXPECT_TRUE(window.viewer().key_sheet_open());
+  question_mark(0);
+  window.settle();
+  EXPECT_FALSE(window.viewer().key_sheet_open());
+}
+
+// Plus is a character of another key on many keyboards.
+TEST_F(WindowTest, TheWindowFollowsAZoomByACharacter) {
+  Window window(inputs_, options());
+  window.settle();
+  press(SDLK_EQUALS, KMOD_LSHIFT);
+  SDL_Event event{};
+  event.type = SDL_TEXTINPUT;
+  event.text.text[0] = '+';
+  send(event);
+  window.settle();
+  EXPECT_EQ(window.viewer().viewport().multiple(), 2);
+  EXPECT_EQ(window.pixels().size, (ImageSize{128, 96}));
+}
+
 TEST_F(WindowTest, LargePixelsShowTheirValues) {
   Window window(inputs_, options());
   window.settle();
@@ -228,6 +261,39 @@ TEST_F(WindowTest, SSavesTheIndexedScreen) {
   EXPECT_EQ(read_png(folder_ / "A-screen.png").at(70),
             test::shown_colour(kLarge, 3, 6, 1, 0b11110111));
 }
+
+#ifdef SIR_WITH_IMGUI
+TEST_F(WindowTest, APanelThatClosesUnderTheMouseLeavesNoEntryShown) {
+  ViewerOptions whole = options();
+  whole.image_area_only = false;
+  Window window(inputs_, whole);
+  window.settle();
+  type(window, {SDLK_p});
+  window.pixels();
+  const int width = window.pixels().size.width;
+  for (int y = 0; y < 700 && !window.viewer().entry(); y += 10) {
+    move(width - 170, y);
+    window.settle();
+    window.pixels();
+  }
+  ASSERT_TRUE(window.viewer().entry());
+  type(window, {SDLK_p});
+  window.pixels();
+  EXPECT_FALSE(window.viewer().entry());
+
+  type(window, {SDLK_p});
+  window.pixels();
+  window.pixels();
+  ASSERT_TRUE(window.viewer().entry());  // the mouse is still there
+  SDL_Event event{};
+  event.type = SDL_WINDOWEVENT;
+  event.window.event = SDL_WINDOWEVENT_LEAVE;
+  send(event);
+  window.settle();
+  window.pixels();
+  EXPECT_FALSE(window.viewer().entry());
+}
+#endif
 
 TEST_F(WindowTest, WhatCannotBeShownAtAllEndsItWithTheReason) {
   folder_.write("broken.png", "no picture");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <utility>
 
 #include "viewer/sdl_video.h"
@@ -54,6 +55,9 @@ void PanelInput::pass(const SDL_Event& event) {
         held_[button] = event.type == SDL_MOUSEBUTTONDOWN;
         pressed_[button] |= held_[button];
       }
+      break;
+    case SDL_WINDOWEVENT:
+      if (event.window.event == SDL_WINDOWEVENT_LEAVE) io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
       break;
     case SDL_MOUSEWHEEL: io.MouseWheel += static_cast<float>(event.wheel.y); break;
     case SDL_TEXTINPUT: io.AddInputCharactersUTF8(event.text.text); break;

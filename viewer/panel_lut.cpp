@@ -32,7 +32,10 @@ void LutPart::draw(Viewer& viewer) {
   const int which = viewer.active_side();
   const auto rendition = viewer.side(which).rendition();
   const LutUsage* usage = viewer.findings().usage(which);
-  if (!rendition || usage == nullptr) return ImGui::TextDisabled("...");
+  if (!rendition || usage == nullptr) {
+    viewer.hover_entry(std::nullopt);
+    return ImGui::TextDisabled("...");
+  }
   constexpr std::array kOrders{"LUT order", "by pixels", "by hue", "by lightness"};
   int order = static_cast<int>(order_);
   ImGui::SetNextItemWidth(-1);

@@ -39,6 +39,7 @@ void PanelParts::draw(Viewer& viewer) {
   if (part("Colours")) draw_colours(viewer);
   if (part("The MA120")) draw_machine(viewer);
   if (part("LUT")) lut_.draw(viewer);
+  else viewer.hover_entry(std::nullopt);
   if (part("Inspector: why this colour")) draw_inspector(viewer);
   if (part("On the screen")) draw_judgement(viewer);
   if (part("Histogram")) draw_histogram(viewer);

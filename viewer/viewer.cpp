@@ -44,6 +44,7 @@ Viewer::Viewer(ViewerOptions options)
 }
 
 void Viewer::open(const std::filesystem::path& input, bool show) {
+  if (player_) return say("a register trace is played; sir show opens pictures");
   const std::size_t number = workshop_.open(input);
   inputs_.push_back(input);
   if (show) turn_to(number);
@@ -75,14 +76,18 @@ bool Viewer::refresh() {
     composed_ = false;
     viewport_.set_picture(size);
     split_column_ = std::clamp(split_column_, 0, size.width);
+    if (pinned_ && (pinned_->x >= size.width || pinned_->y >= size.height)) pinned_.reset();
   }
+  shown_once_ = shown_once_ || sides_[0].picture();
   std::string news = workshop_.state(number_).message;
   for (const Side& side : sides_)
     if (news.empty()) news = side.error();
   if (news != news_) {
     // What was said of something else stays until a key goes down.
     if (!news.empty() || message_ == news_) message_ = news;
-    if (workshop_.state(number_).failed || !sides_[0].error().empty()) options_.report(news);
+    // What ends the window is said by whoever opened it.
+    const bool failed = workshop_.state(number_).failed || !sides_[0].error().empty();
+    if (failed && hopeless().empty()) options_.report(news);
     news_ = std::move(news);
     changed = true;
   }
@@ -149,7 +154,7 @@ void Viewer::compose_trace() {
 }
 
 std::string Viewer::title() const {
-  std::string title = "SIR";
+  std::string title = player_ ? trace_name_ + " - register trace" : "SIR";
   if (workshop_.count() > 0) {
     title = sides_[0].picture() ? sides_[0].picture()->base.filename().string()
                                 : inputs_[number_].filename().string();

@@ -8,6 +8,7 @@
 #include "viewer/argb.h"
 #include "viewer/glass.h"
 #include "viewer/panel.h"
+#include "viewer/pixel_density.h"
 #include "viewer/sdl_keys.h"
 #include "viewer/sdl_video.h"
 
@@ -110,7 +111,7 @@ class Window::Impl {
       case SDL_QUIT: viewer_.perform(Command::quit); break;
       case SDL_KEYDOWN: press(event.key); break;
       case SDL_KEYUP: viewer_.release(key_of(event.key.keysym)); break;
-      case SDL_TEXTINPUT: viewer_.type(event.text.text); break;
+      case SDL_TEXTINPUT: type(event.text.text); break;
       case SDL_MOUSEMOTION: viewer_.point(place(event.motion.x, event.motion.y)); break;
       case SDL_MOUSEBUTTONDOWN:
         if (const auto button = button_of(event.button.button))
@@ -149,10 +150,30 @@ class Window::Impl {
     const bool super = (event.keysym.mod & KMOD_GUI) != 0;  // belongs to the desktop
     if (key.code == 0 || super) return;
     const auto command = command_for(key);
-    // A held key moves and zooms again and again; it toggles, and saves, once.
-    if (event.repeat != 0 && command && !repeats(*command) && !viewer_.prompt().open()) return;
+    held_ = event.repeat != 0;
+    if (is_unwanted(command)) return;
+    with_window(command, [&] { viewer_.press(key); });
+  }
+
+  // Some characters are commands; the event that brings one does not say whether the key is held,
+  // the key's own does, just before.
+  void type(const char* text) {
+    const auto key = parse_key(text);
+    const auto command = key ? command_for(*key) : std::nullopt;
+    if (is_unwanted(command)) return;
+    with_window(command, [&] { viewer_.type(text); });
+  }
+
+  // A held key moves and zooms again and again; it toggles, and saves, once.
+  bool is_unwanted(std::optional<Command> command) const {
+    return held_ && command && !repeats(*command) && !viewer_.prompt().open();
+  }
+
+  // The window follows a zoom by keys.
+  template <typename Act>
+  void with_window(std::optional<Command> command, const Act& act) {
     const int before = viewer_.viewport().multiple();
-    viewer_.press(key);
+    act();
     if (command == Command::zoom_in || command == Command::zoom_out ||
         command == Command::actual_size)
       if (viewer_.viewport().multiple() != before) take_picture_size(viewer_.viewport().multiple());
@@ -160,11 +181,11 @@ class Window::Impl {
 
   // Mouse events come in the window's units.
   Place place(int x, int y) const {
-    const auto [units, pixels] = widths();
-    return {x * pixels / units, y * pixels / units};
+    const PixelDensity density = this->density();
+    return {density.pixel_at(x), density.pixel_at(y)};
   }
 
-  std::pair<int, int> widths() const {
+  PixelDensity density() const {
     int units = 0;
     SDL_GetWindowSize(window_.get(), &units, nullptr);
     return {std::max(units, 1), std::max(pixel_size(renderer_.get()).width, 1)};
@@ -189,12 +210,9 @@ class Window::Impl {
     }
   }
 
-  int panel_width() const { return panel_ && viewer_.panel_open() ? panel_->width() * scale() : 0; }
-
-  // Letters are drawn larger on dense displays.
-  int scale() const {
-    const auto [units, pixels] = widths();
-    return std::max(1, (pixels + units / 2) / units);
+  // In pixels.
+  int panel_width() const {
+    return panel_ && viewer_.panel_open() ? density().pixels_of(panel_->width()) : 0;
   }
 
   // The window takes the picture's size at a multiple, as far as the desktop has room.
@@ -204,13 +222,9 @@ class Window::Impl {
     SDL_Rect room{};
     const int display = SDL_GetWindowDisplayIndex(window_.get());
     if (display < 0 || SDL_GetDisplayUsableBounds(display, &room) != 0) return;
-    const auto [units, pixels] = widths();
-    const auto in_units = [units = units, pixels = pixels](std::int64_t length) {
-      return length * units / pixels;
-    };
     const ImageSize size = viewer_.side(0).station().seen_area().size;
     const auto wanted = [&](int length, int more) {
-      return in_units(std::int64_t{length} * multiple + more);
+      return density().units_of(std::int64_t{length} * multiple + more);
     };
     const int width =
         static_cast<int>(std::min<std::int64_t>(wanted(size.width, panel_width()), room.w));
@@ -229,7 +243,7 @@ class Window::Impl {
     viewer_.set_panel_shown(panel_width() > 0);
     SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 255);
     check(SDL_RenderClear(renderer_.get()) == 0, "cannot be drawn to");
-    glass_.draw(viewer_, scale());
+    glass_.draw(viewer_, density().scale());
     if (panel_ && viewer_.panel_open()) panel_->draw();
     SDL_SetWindowTitle(window_.get(), viewer_.title().c_str());
     frames_due_ = std::max(0, frames_due_ - 1);
@@ -242,7 +256,7 @@ class Window::Impl {
   Glass glass_;
   Viewer viewer_;  // its threads wake the window: it goes first
   std::unique_ptr<Panel> panel_;
-  bool sized_ = false, panel_was_open_ = false;
+  bool sized_ = false, panel_was_open_ = false, held_ = false;
   int frames_due_ = 0;
 };
 
