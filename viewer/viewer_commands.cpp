@@ -213,6 +213,7 @@ void Viewer::save_as_seen() {
 void Viewer::toggle_panel() {
 #ifdef SIR_WITH_IMGUI
   panel_open_ = !panel_open_;
+  entry_hovered_.reset();
   refresh();
 #else
   say("this build has no panel (it was made without Dear ImGui)");
@@ -231,6 +232,7 @@ void Viewer::cancel() {
   else if (pinned_) pinned_.reset();
   else if (map_ != Map::none) map_ = Map::none;
   else if (inspector_open_) inspector_open_ = false;
+  else if (panel_open_) toggle_panel();
   else if (full_screen_) full_screen_ = false;
   else closed_ = true;
 }
