@@ -14,7 +14,9 @@ namespace {
 const ImVec4 kAlarm{1.0f, 0.45f, 0.35f, 1.0f};
 
 void lines(const std::vector<std::string>& text) {
+  ImGui::PushTextWrapPos(0);  // at the panel's edge
   for (const std::string& line : text) ImGui::TextUnformatted(line.c_str());
+  ImGui::PopTextWrapPos();
 }
 
 // A button for each command, the chosen one marked.
@@ -98,17 +100,17 @@ void PanelParts::draw_histogram(Viewer& viewer) {
   const auto* before = viewer.findings().histogram_before(viewer.active_side());
   const auto* after = viewer.findings().histogram_after(viewer.active_side());
   if (before == nullptr || after == nullptr) return ImGui::TextDisabled("...");
-  const auto plot = [&](const char* label, const PrimaryHistogram& histogram) {
+  const auto plot = [&](const char* id, const char* label, const PrimaryHistogram& histogram) {
     const auto& bins = histogram[static_cast<std::size_t>(primary_)];
     std::vector<float> values(bins.size());
     std::transform(bins.begin(), bins.end(), values.begin(),
                    [](std::uint64_t pixels) { return static_cast<float>(pixels); });
-    ImGui::PlotHistogram("", values.data(), static_cast<int>(values.size()), 0, label, 0,
+    ImGui::PlotHistogram(id, values.data(), static_cast<int>(values.size()), 0, label, 0,
                          *std::max_element(values.begin(), values.end()),
                          {ImGui::GetContentRegionAvail().x, 60});
   };
-  plot("true colours", *before);
-  plot("as seen", *after);
+  plot("##before", "true colours", *before);
+  plot("##after", "as seen", *after);
 }
 
 void PanelParts::draw_judgement(Viewer& viewer) {
@@ -127,12 +129,7 @@ void PanelParts::draw_judgement(Viewer& viewer) {
   lines(describe(*judgement));
 }
 
-void PanelParts::draw_inspector(Viewer& viewer) {
-  const auto lines = viewer.inspection();
-  ImGui::PushTextWrapPos(0);
-  for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());
-  ImGui::PopTextWrapPos();
-}
+void PanelParts::draw_inspector(Viewer& viewer) { lines(viewer.inspection()); }
 
 void PanelParts::draw_trace(Viewer& viewer) {
   const eltek::TracePlayer& player = *viewer.player();

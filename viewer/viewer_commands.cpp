@@ -253,6 +253,7 @@ void Viewer::cancel() {
   else if (pinned_) pinned_.reset();
   else if (map_ != Map::none) map_ = Map::none;
   else if (inspector_open_) inspector_open_ = false;
+  else if (panel_open_) toggle_panel();
   else if (full_screen_) full_screen_ = false;
   else closed_ = true;
 }
