@@ -47,8 +47,7 @@ class Window::Impl {
     panel_ = make_panel(window_.get(), renderer_.get(), viewer_);
     for (const auto& input : inputs) viewer_.open(input, false);
     take_picture_size(1);
-    draw();
-    SDL_RenderPresent(renderer_.get());
+    show();
   }
 
   void run(std::stop_token stop) {
@@ -60,8 +59,7 @@ class Window::Impl {
       if (const std::string reason = viewer_.hopeless(); !reason.empty())
         throw FileError::repeated(reason);
       if (!stale()) continue;
-      draw();
-      SDL_RenderPresent(renderer_.get());
+      show();
     }
   }
 
@@ -70,7 +68,7 @@ class Window::Impl {
     // What is drawn in the panel may ask for more.
     while (!viewer_.closed() && (viewer_.busy() || stale()))
       if (viewer_.busy()) handle_events();
-      else draw();
+      else show();
   }
 
   Viewer& viewer() { return viewer_; }
@@ -269,6 +267,11 @@ class Window::Impl {
     SDL_GetWindowPosition(window_.get(), &x, &y);
     SDL_SetWindowPosition(window_.get(), inside(x, bounds.x, bounds.w, width),
                           inside(y, bounds.y, bounds.h, height));
+  }
+
+  void show() {
+    draw();
+    SDL_RenderPresent(renderer_.get());
   }
 
   void draw() {
