@@ -356,6 +356,15 @@ TEST_F(ViewerTest, APictureThatGrowsBeyondTheScreenLeavesTheLastOneAndIsSaid) {
   EXPECT_THAT(viewer_->inspection()[0], HasSubstr("9,40"));
 }
 
+TEST_F(ViewerTest, NothingIsAwaitedOfAPictureThatCannotBeRead) {
+  Viewer& viewer = three();
+  viewer.press(*parse_key("B"));  // not ready at once
+  viewer.open(folder_ / "none.png", true);
+  settle();
+  EXPECT_THAT(viewer.message(), HasSubstr("none.png"));
+  EXPECT_FALSE(viewer.side(0).waiting());
+}
+
 TEST_F(ViewerTest, TheWholeScreenOfAPictureThatIsTooLargeEndsNothing) {
   viewer_ = std::make_unique<Viewer>(options());
   viewer_->set_window({640, 480});

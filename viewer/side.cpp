@@ -13,7 +13,12 @@ Method Side::method_for(const Picture& picture, const RenditionOptions& options)
 
 bool Side::update(Workshop& workshop, std::size_t number, const RenditionOptions& options) {
   const auto latest = workshop.state(number).picture;
-  if (!latest) return false;
+  if (!latest) {
+    // What was said of the picture before is not of this one.
+    waiting_ = false;
+    error_.clear();
+    return false;
+  }
   const Method wanted = method_for(*latest, options);
   // True colour lies over the screen of some LUT, which the border around the image still shows.
   Method on_screen = wanted;
