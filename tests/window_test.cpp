@@ -235,6 +235,42 @@ TEST_F(WindowTest, LargePixelsShowTheirValues) {
     }
 }
 
+TEST_F(WindowTest, LettersLeaveNothingBehind) {
+  ViewerOptions whole = options();
+  whole.image_area_only = false;
+  Window window(inputs_, whole);
+  window.settle();
+  const eltek::Screen plain = window.pixels();
+  type(window, {SDLK_i});
+  move(100, 100);
+  window.settle();
+  const eltek::Screen left = window.pixels();
+  move(900, 700);
+  window.settle();
+  EXPECT_NE(window.pixels(), left);  // the inspector is in another corner
+  type(window, {SDLK_F1});
+  move(100, 100);
+  window.settle();
+  EXPECT_NE(window.pixels(), left);
+  type(window, {SDLK_F1});
+  EXPECT_EQ(window.pixels(), left);
+  type(window, {SDLK_i});
+  EXPECT_EQ(window.pixels(), plain);
+}
+
+TEST_F(WindowTest, TexturesThatLostTheirContentAreMadeAnew) {
+  Window window(inputs_, options());
+  window.settle();
+  const eltek::Screen before = window.pixels();
+  for (const std::uint32_t type : {SDL_RENDER_TARGETS_RESET, SDL_RENDER_DEVICE_RESET}) {
+    SDL_Event event{};
+    event.type = type;
+    send(event);
+    window.settle();
+    EXPECT_EQ(window.pixels(), before);
+  }
+}
+
 TEST_F(WindowTest, ADuelHasALineAndAPictureOnEachSide) {
   ViewerOptions whole = options();
   whole.image_area_only = false;

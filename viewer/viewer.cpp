@@ -110,32 +110,45 @@ void Viewer::tell_default() {
 }
 
 const Frame& Viewer::picture() {
-  if (!composed_) compose();
+  if (!composed_) {
+    compose();
+    ++picture_version_;
+  }
   composed_ = true;
   return frame_;
 }
 
 void Viewer::compose() {
   if (player_) return compose_trace();
-  compose_side(0, frame_);
-  if (!duel_) return;
-  compose_side(1, other_frame_);
-  if (other_frame_.size == frame_.size) take_right_part(frame_, other_frame_, split_column_);
+  frame_.size = sides_[0].station().seen_area().size;
+  frame_.words.resize(frame_.size.pixels());
+  const bool both = duel_ && sides_[1].station().seen_area().size == frame_.size;
+  const int split = both ? std::clamp(split_column_, 0, frame_.size.width) : frame_.size.width;
+  compose_side(0, {0, split});
+  compose_side(1, {split, frame_.size.width});
 }
 
-void Viewer::compose_side(int which, Frame& frame) {
+void Viewer::compose_side(int which, const Columns& columns) {
+  if (columns.first >= columns.end) return;
   const Side& shown = side(which);
   const Station& station = shown.station();
-  station.scan_out(frame, crt_on_ ? &tube_ : nullptr);
-  const auto lay = [&](const Planes& image) {
-    if (shown.picture() && image.size == shown.picture()->planes.size)
-      lay_over(frame, image, station.placement(), station.seen_area());
-  };
-  if (!shown.picture() || !shown.fits()) return;
-  if (reference_held_ || shown.true_colour())
-    return lay(crt_on_ ? through_tube(shown.picture()->planes) : shown.picture()->planes);
-  if (const Planes* map = findings_.map(which)) lay(*map);
-  else if (entry()) leave_entry(frame, station.capture().indices, *entry());
+  const bool image_there = shown.picture() && shown.fits();
+  const Planes* over = nullptr;
+  Planes on_tube;
+  if (image_there) {
+    const bool truth = reference_held_ || shown.true_colour();
+    over = truth ? &shown.picture()->planes : findings_.map(which);
+    if (truth && crt_on_) over = &(on_tube = through_tube(*over));
+  }
+  const bool stands_out = image_there && over == nullptr && entry();
+  if (over != nullptr && over->size != shown.picture()->planes.size) over = nullptr;
+  // What is covered need not be scanned out.
+  if (over == nullptr || station.placement().on_screen != station.seen_area()) {
+    IndexWords words = station.seen_words(crt_on_ ? &tube_ : nullptr);
+    if (stands_out) leave_entry(words, station.mask(), *entry());
+    station.scan_out(frame_, words, columns);
+  }
+  if (over != nullptr) lay_over(frame_, *over, station.placement(), station.seen_area(), columns);
 }
 
 // Colours without a LUT on the same monitor, so that a flip compares colours and no monitors.

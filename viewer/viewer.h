@@ -82,6 +82,9 @@ class Viewer {
   /// What is seen, one word a pixel of the picture.
   const Frame& picture();
 
+  /// Grows with each picture() that is another than the one before.
+  std::uint64_t picture_version() const { return picture_version_; }
+
   /// How it lies in the window.
   const Viewport& viewport() const { return viewport_; }
 
@@ -190,7 +193,7 @@ class Viewer {
   std::vector<std::string> inspect_machine(Place at) const;
   void compose_trace();
   Planes through_tube(const Planes& image) const;
-  void compose_side(int which, Frame& frame);
+  void compose_side(int which, const Columns& columns);
 
   ViewerOptions options_;
   Workshop workshop_;
@@ -211,7 +214,8 @@ class Viewer {
   std::unique_ptr<eltek::TracePlayer> player_;
   std::string trace_name_;
   Viewport viewport_;
-  Frame frame_, other_frame_;
+  Frame frame_;
+  std::uint64_t picture_version_ = 0;
   Prompt prompt_;
   std::string message_, news_;
   std::optional<Place> mouse_, pinned_, drag_from_;  // pinned_: in the picture, else the window
