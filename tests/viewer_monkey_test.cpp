@@ -107,8 +107,10 @@ TEST_F(ViewerMonkeyTest, WhateverIsDoneThePictureIsWholeAndTheTraceGivesIt) {
   ASSERT_FALSE(recorder.full());
   eltek::TracePlayer player(recorder.trace());
   player.seek(player.count());
-  EXPECT_EQ(crop(player.raster().frame(), viewer_->side(0).station().seen_area()),
-            viewer_->side(0).station().picture());
+  const auto replayed = player.raster().capture();
+  ASSERT_TRUE(replayed);
+  const Station& station = viewer_->side(0).station();
+  EXPECT_EQ(crop(*replayed, station.seen_area()), station.capture());
 }
 
 }  // namespace
