@@ -34,7 +34,13 @@ class CompositionTest : public ViewerTest {
       ASSERT_EQ(frame.size, screen.size) << what;
       const auto palette = viewer_->crt_on() ? eltek::Crt{}.palette(screen) : screen.palette;
       const Planes* over = viewer_->findings().map(which);
-      if (viewer_->shows_reference() || side.true_colour()) over = &side.picture()->planes;
+      Planes truth = side.picture()->planes;
+      if (viewer_->crt_on()) {
+        eltek::Screen colours{truth.size, {}};
+        for (std::size_t i = 0; i < truth.size.pixels(); ++i) colours.pixels.push_back(truth.at(i));
+        truth = eltek::to_planes(eltek::Crt{}.show(colours));
+      }
+      if (viewer_->shows_reference() || side.true_colour()) over = &truth;
       const int first = which == 1 ? viewer_->split_column() : 0;
       const int end = which == 0 && viewer_->duel() ? viewer_->split_column() : frame.size.width;
       for (int row = 0; row < frame.size.height; ++row)
