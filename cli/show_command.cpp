@@ -60,7 +60,7 @@ void require_inputs(const ShowOptions& options) {
   for (const auto& input : options.inputs) {
     bool any = false;
     for (const auto& file : viewer::Source(input).files()) any |= std::filesystem::exists(file);
-    if (!any) viewer::load_image(input, options.size);  // says where it looked
+    if (!any) viewer::read_source(viewer::Source(input), options.size);  // says where it looked
   }
 }
 

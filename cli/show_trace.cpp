@@ -27,6 +27,7 @@ void check_trace(const ShowOptions& options) {
   }
   if (options.png && same_place(*options.trace, *options.png))
     throw FileError(options.trace->string(), 0, "both the trace and the picture would go there");
+  AtomicFile{*options.trace};  // a session would be lost where it cannot be written
 }
 
 void save_trace(const ShowOptions& options, const eltek::TraceRecorder& recorder,

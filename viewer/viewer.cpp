@@ -140,7 +140,8 @@ void Viewer::compose_side(int which, const Columns& columns) {
     over = truth ? &shown.picture()->planes : findings_.map(which);
     if (truth && crt_on_) over = &(on_tube = through_tube(*over));
   }
-  const bool stands_out = image_there && over == nullptr && entry();
+  // An entry is one of the active side's LUT; to the other its index means another colour.
+  const bool stands_out = image_there && over == nullptr && entry() && (!duel_ || which == active_);
   if (over != nullptr && over->size != shown.picture()->planes.size) over = nullptr;
   // What is covered need not be scanned out.
   if (over == nullptr || station.placement().on_screen != station.seen_area()) {

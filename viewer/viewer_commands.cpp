@@ -189,6 +189,7 @@ void Viewer::pin_entry_of_pixel() {
   // The right side may still have a picture of another size.
   if (at->x >= screen.size.width || at->y >= screen.size.height)
     return say("that side has no such pixel yet");
+  if (duel_) active_ = side_of(*at);
   pin_entry(
       screen.indices[static_cast<std::size_t>(at->y) * static_cast<std::size_t>(screen.size.width) +
                      static_cast<std::size_t>(at->x)]);
