@@ -100,14 +100,13 @@ std::string summary(const eltek::TracePlayer& player, bool indexed, bool json) {
   return text + fmt::format("frame: {}{}\n", hash, indexed ? "" : ", of more than one palette");
 }
 
-// Reads are part of the trace: where the machine gives something else it is not this one's.
-void require_equal_reads(const std::string& trace, const eltek::TracePlayer& player) {
+// Reads are part of the trace: where the machine gives something else it is not this one's. Empty
+// where all are equal.
+std::string difference(const eltek::TracePlayer& player) {
   const auto& difference = player.difference();
-  if (!difference) return;
-  throw FileError(
-      trace, 0,
-      fmt::format("record {}: {} reads {} where the trace says {}", difference->record + 1,
-                  eltek::name(difference->port), difference->found, difference->expected));
+  if (!difference) return {};
+  return fmt::format("record {}: {} reads {} where the trace says {}", difference->record + 1,
+                     eltek::name(difference->port), difference->found, difference->expected);
 }
 
 #ifdef SIR_WITH_SDL
@@ -117,9 +116,13 @@ int step_through(const ReplayOptions& options, const Session& session) {
   viewer.report = [&session](const std::string& text) { note(session, text); };
   viewer::Window window({}, std::move(viewer));
   window.viewer().replay(std::move(trace), options.trace.filename().string());
+  // It has been played to its end by now.
+  const std::string wrong = difference(*window.viewer().player());
+  if (!wrong.empty()) note(session, options.trace.string() + ": " + wrong);
   if (options.steps) window.viewer().seek(*options.steps);
   window.run(interruption());
-  return interrupted() ? kInterrupted : kDone;
+  if (interrupted()) return kInterrupted;
+  return wrong.empty() ? kDone : kFailed;
 }
 #else
 int step_through(const ReplayOptions&, const Session&) {
@@ -144,7 +147,8 @@ int run_replay(const ReplayOptions& options, const Session& session) {
     detail(session, "wrote " + options.png->string());
   }
   print(summary(player, indexed.has_value(), options.json));
-  require_equal_reads(options.trace.string(), player);
+  if (const std::string wrong = difference(player); !wrong.empty())
+    throw FileError(options.trace.string(), 0, wrong);
   return kDone;
 }
 

@@ -214,6 +214,21 @@ TEST_F(Replay, AWindowIsNotOpenedForWhatIsWrongFromTheStart) {
   ::unsetenv("SDL_VIDEODRIVER");
 }
 
+TEST_F(Replay, AWindowTellsOfReadsThatDiffer) {
+  const std::string played = trace("lut.write 0\nlut.read 5\nread lut.data 7\n", 3);
+  const Ended ended = sir({"replay", played});
+  const std::size_t reason = ended.err.find("record 3: lut.data reads 0 where the trace says 7");
+  ASSERT_NE(reason, std::string::npos) << ended.err;
+  ::setenv("SDL_VIDEODRIVER", "dummy", 1);
+  Start start;
+  start.folder = folder.path();
+  Program program(SIR_PROGRAM, {"replay", played, "--window"}, start);
+  EXPECT_TRUE(program.wait_for("record 3: lut.data reads 0 where the trace says 7"));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.finish().exit_code, 130);
+  ::unsetenv("SDL_VIDEODRIVER");
+}
+
 TEST_F(Replay, AWindowsSessionIsWrittenWhenItCloses) {
   ::setenv("SDL_VIDEODRIVER", "dummy", 1);
   Start start;
