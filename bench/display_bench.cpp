@@ -1,7 +1,8 @@
 // How long does the MA120's screen take on its way to the window, where everything changes from
 // frame to frame: a new LUT through the registers, conversion, upload to a streaming texture?
 // Usage: display_bench   (no arguments, no display: SDL draws to none)
-// Four ways are run in turn; medians, and the medians of the ratios to the plain way, are printed.
+// Ways are run in turn; medians, and the medians of the ratios to the plain way, are printed; then
+// the medians of the viewer's own way, part by part.
 // Exit code 1 where two ways give different pixels.
 #include <cstdint>
 #include <cstdio>
@@ -16,6 +17,8 @@
 #include "eltek/ma120.h"
 #ifdef SIR_WITH_SDL
 #include <SDL.h>
+
+#include "bench/display_viewer.h"
 #endif
 
 namespace {
@@ -179,6 +182,9 @@ int run() {
 #endif
   }
   print(all);
+#ifdef SIR_WITH_SDL
+  sir::bench::time_viewer();
+#endif
   if (!equal) std::printf("DIFFERENT\n");
   return equal ? 0 : 1;
 }

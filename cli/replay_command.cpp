@@ -100,25 +100,29 @@ std::string summary(const eltek::TracePlayer& player, bool indexed, bool json) {
   return text + fmt::format("frame: {}{}\n", hash, indexed ? "" : ", of more than one palette");
 }
 
-// Reads are part of the trace: where the machine gives something else it is not this one's.
-void require_equal_reads(const std::string& trace, const eltek::TracePlayer& player) {
+// Reads are part of the trace: where the machine gives something else it is not this one's. Empty
+// where all are equal.
+std::string difference(const eltek::TracePlayer& player) {
   const auto& difference = player.difference();
-  if (!difference) return;
-  throw FileError(
-      trace, 0,
-      fmt::format("record {}: {} reads {} where the trace says {}", difference->record + 1,
-                  eltek::name(difference->port), difference->found, difference->expected));
+  if (!difference) return {};
+  return fmt::format("record {}: {} reads {} where the trace says {}", difference->record + 1,
+                     eltek::name(difference->port), difference->found, difference->expected);
 }
 
 #ifdef SIR_WITH_SDL
 int step_through(const ReplayOptions& options, const Session& session) {
+  eltek::Trace trace = eltek::read_trace(options.trace);
   viewer::ViewerOptions viewer;
   viewer.report = [&session](const std::string& text) { note(session, text); };
   viewer::Window window({}, std::move(viewer));
-  window.viewer().replay(eltek::read_trace(options.trace), options.trace.filename().string());
+  window.viewer().replay(std::move(trace), options.trace.filename().string());
+  // It has been played to its end by now.
+  const std::string wrong = difference(*window.viewer().player());
+  if (!wrong.empty()) note(session, options.trace.string() + ": " + wrong);
   if (options.steps) window.viewer().seek(*options.steps);
   window.run(interruption());
-  return interrupted() ? kInterrupted : kDone;
+  if (interrupted()) return kInterrupted;
+  return wrong.empty() ? kDone : kFailed;
 }
 #else
 int step_through(const ReplayOptions&, const Session&) {
@@ -143,7 +147,8 @@ int run_replay(const ReplayOptions& options, const Session& session) {
     detail(session, "wrote " + options.png->string());
   }
   print(summary(player, indexed.has_value(), options.json));
-  require_equal_reads(options.trace.string(), player);
+  if (const std::string wrong = difference(player); !wrong.empty())
+    throw FileError(options.trace.string(), 0, wrong);
   return kDone;
 }
 
@@ -152,9 +157,10 @@ void add_replay(CLI::App& app, Action& action) {
       "replay", "Do again what a trace of the MA120's registers holds (sir show --trace)");
   const auto options = std::make_shared<ReplayOptions>();
   sub->add_option("FILE", options->trace, "the trace")->required();
-  sub->add_option("--png", options->png,
-                  "write the frame as it is then: indexed PNG where it has one palette, else RGB")
-      ->type_name("OUT.png");
+  auto* png = sub->add_option(
+      "--png", options->png,
+      "write the frame as it is then: indexed PNG where it has one palette, else RGB");
+  png->type_name("OUT.png");
   sub->add_option_function<std::string>(
          "--steps",
          [options](const std::string& text) {
@@ -166,9 +172,11 @@ void add_replay(CLI::App& app, Action& action) {
          },
          "stop after so many records")
       ->type_name("N");
-  sub->add_flag("--json", options->json, "print JSON");
+  auto* json = sub->add_flag("--json", options->json, "print JSON");
   sub->add_flag("--window", options->window,
-                "step through it in a window: . and , one record, > and < a hundred, Home, End");
+                "step through it in a window: . and , one record, > and < a hundred, Home, End")
+      ->excludes(png)
+      ->excludes(json);
   sub->callback([&action, options] {
     action = [options](const Session& session) { return run_replay(*options, session); };
   });

@@ -9,6 +9,7 @@
 #include "cli/output_path.h"
 #include "cli/show_trace.h"
 #include "cli/shown_image.h"
+#include "quant/lut.h"
 #include "tracer/error.h"
 #include "viewer/image_name.h"
 #include "viewer/png_file.h"
@@ -52,10 +53,14 @@ int show_without_window(const ShowOptions& options, const Session& session) {
 #ifdef SIR_WITH_SDL
 // What is not there at all is said before a window opens; what cannot be read, in the window.
 void require_inputs(const ShowOptions& options) {
+  if (options.lut) {
+    viewer::refuse_special_file(*options.lut);
+    quant::read_lut(*options.lut);
+  }
   for (const auto& input : options.inputs) {
     bool any = false;
     for (const auto& file : viewer::Source(input).files()) any |= std::filesystem::exists(file);
-    if (!any) viewer::load_image(input, options.size);  // says where it looked
+    if (!any) viewer::read_source(viewer::Source(input), options.size);  // says where it looked
   }
 }
 

@@ -32,7 +32,9 @@ std::function<std::optional<TerminalForm>()> add_terminal(CLI::App* app) {
 void add_show(CLI::App& app, Action& action) {
   auto* sub = app.add_subcommand("show", "Show images on the MA120's screen");
   const auto options = std::make_shared<ShowOptions>();
-  sub->add_option("IMAGE", options->inputs, "BASE (planes) or FILE.png; several in a window")
+  sub->add_option("IMAGE", options->inputs,
+                  "BASE (planes; in a window also a scene, rendered as you look) or FILE.png; "
+                  "several in a window, where ? shows the keys")
       ->required();
   sub->add_option("--lut", options->lut, "the LUT (BASE.LUT, else median in hsv)")
       ->type_name("FILE");

@@ -12,16 +12,22 @@
 #include "tracer/atomic_file.h"
 #include "tracer/error.h"
 #include "tracer/text_file.h"
+#include "viewer/image_name.h"
+#include "viewer/rendition.h"
 #include "viewer/station.h"
 
 namespace sir::cli {
 
 void check_trace(const ShowOptions& options) {
   if (!options.trace) return;
-  for (const auto& input : options.inputs) refuse_input_file(*options.trace, input);
-  if (options.lut) refuse_same_file(*options.trace, *options.lut);
+  for (const auto& input : options.inputs) {
+    refuse_input_file(*options.trace, input);
+    const auto lut = viewer::lut_file(viewer::base_name(input), {options.map, options.lut});
+    if (lut) refuse_same_file(*options.trace, *lut);
+  }
   if (options.png && same_place(*options.trace, *options.png))
     throw FileError(options.trace->string(), 0, "both the trace and the picture would go there");
+  AtomicFile{*options.trace};  // a session would be lost where it cannot be written
 }
 
 void save_trace(const ShowOptions& options, const eltek::TraceRecorder& recorder,

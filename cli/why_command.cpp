@@ -9,47 +9,21 @@
 
 #include "cli/image_input.h"
 #include "cli/why_json.h"
-#include "quant/best.h"
-#include "quant/shown_through.h"
 #include "tracer/error.h"
 #include "tracer/scene_file.h"
 #include "tracer/scene_path.h"
 #include "viewer/inspection.h"
+#include "viewer/rendition.h"
 
 namespace sir::cli {
 namespace {
 
-// The LUT that show would take, unless a method is asked for.
-std::optional<std::filesystem::path> file_of(const WhyOptions& options,
-                                             const std::filesystem::path& base) {
-  if (options.lut || options.method) return options.lut;
-  for (const char* suffix : {"LUT", "lut"})
-    if (auto path = with_suffix(base, suffix); std::filesystem::exists(path)) return path;
-  return std::nullopt;
-}
-
-quant::Lut chosen(const Planes& planes, viewer::Method method) {
-  if (const auto choice = viewer::choice_of(method)) return quant::choose_lut(planes, *choice);
-  quant::WeightedColours colours;
-  colours.add(planes);
-  return quant::choose_best(colours).lut;
-}
-
+// By the LUT that show would take, unless a method is asked for.
 viewer::Rendition shown_by(const viewer::Picture& picture, const WhyOptions& options) {
-  viewer::Rendition rendition;
-  if (const auto path = file_of(options, picture.base)) {
-    rendition.method = viewer::Method::lut_file;
-    rendition.lut = quant::read_lut(*path);
-    rendition.lut_name = path->filename().string();
-  } else {
-    rendition.method = options.method.value_or(viewer::Method::hsv_median);
-    rendition.lut = chosen(picture.planes, rendition.method);
-    rendition.lut_name = fmt::format("chosen by {}", viewer::name(rendition.method));
-  }
-  rendition.reserved = options.map.reserved;
-  rendition.indices = quant::map_image(picture.planes, rendition.lut, options.map);
-  rendition.seen = quant::as_seen(picture.planes.size, rendition.indices, rendition.lut);
-  return rendition;
+  const viewer::RenditionOptions how{options.map, options.lut};
+  const bool from_file = !options.method && viewer::lut_file(picture.base, how);
+  const auto otherwise = options.method.value_or(viewer::Method::hsv_median);
+  return viewer::make_rendition(picture, from_file ? viewer::Method::lut_file : otherwise, how);
 }
 
 // The scene behind BASE, if it is there; a broken one leaves the rest of the answer as it is.

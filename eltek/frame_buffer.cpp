@@ -1,6 +1,7 @@
 #include "eltek/frame_buffer.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 
@@ -34,6 +35,16 @@ std::uint64_t transpose(std::uint64_t x) {
   return (x & 0xF0F0F0F00F0F0F0Fu) | ((x & 0x00000000F0F0F0F0u) << 28) |
          ((x >> 28) & 0x00000000F0F0F0F0u);
 }
+
+// For each byte of a plane its eight pixels: bit 0 of byte k, from the lowest, is pixel k from the
+// left.
+constexpr auto kPixelsOf = [] {
+  std::array<std::uint64_t, 256> pixels{};
+  for (std::size_t byte = 0; byte < pixels.size(); ++byte)
+    for (int k = 0; k < 8; ++k)
+      if ((byte >> (7 - k) & 1) != 0) pixels[byte] |= std::uint64_t{1} << (8 * k);
+  return pixels;
+}();
 
 }  // namespace
 
@@ -107,12 +118,10 @@ void FrameBuffer::read_row(int column, int row, std::span<std::uint8_t> indices)
   for (; i < indices.size() && column % 8 != 0; ++i) indices[i] = read(column++, row);
   for (; i + 8 <= indices.size(); i += 8, column += 8) {
     const std::uint8_t* byte = &bits_[byte_offset(column, row)];
-    std::uint64_t planes = 0;
-    for (int p = 0; p < kPlanes; ++p, byte += kPlaneBytes)
-      planes |= std::uint64_t{*byte} << (8 * p);
-    const std::uint64_t pixels = transpose(planes);
+    std::uint64_t pixels = 0;
+    for (int p = 0; p < kPlanes; ++p, byte += kPlaneBytes) pixels |= kPixelsOf[*byte] << p;
     for (std::size_t k = 0; k < 8; ++k)
-      indices[i + k] = static_cast<std::uint8_t>(pixels >> (8 * (7 - k)));
+      indices[i + k] = static_cast<std::uint8_t>(pixels >> (8 * k));
   }
   for (; i < indices.size(); ++i) indices[i] = read(column++, row);
 }

@@ -27,9 +27,6 @@ Screen Ma120::scan_out() const {
 }
 
 void Ma120::scan_out_argb(std::span<std::uint32_t> words, std::size_t stride) const {
-  constexpr std::size_t kWidth = FrameBuffer::kColumns;
-  if (stride < kWidth || words.size() < (FrameBuffer::kRows - 1) * stride + kWidth)
-    throw std::invalid_argument("no room for the MA120's screen");
   constexpr std::uint32_t kOpaque = 0xFF000000u;
   std::array<std::uint32_t, 256> seen;
   seen.fill(kOpaque);
@@ -38,11 +35,24 @@ void Ma120::scan_out_argb(std::span<std::uint32_t> words, std::size_t stride) co
       const Rgb8 colour = dac_colour(lut_ports.look_up(static_cast<std::uint8_t>(i)), dac());
       seen[i] |= std::uint32_t{colour.r} << 16 | std::uint32_t{colour.g} << 8 | colour.b;
     }
-  std::array<std::uint8_t, kWidth> indices;
-  for (int row = 0; row < FrameBuffer::kRows; ++row) {
-    frame_buffer.read_row(0, row, indices);
-    std::uint32_t* const line = &words[static_cast<std::size_t>(row) * stride];
-    for (std::size_t i = 0; i < kWidth; ++i) line[i] = seen[indices[i]];
+  scan_out_words({0, 0, kSize}, seen, words, stride);
+}
+
+void Ma120::scan_out_words(const Area& area, std::span<const std::uint32_t, 256> words_of,
+                           std::span<std::uint32_t> words, std::size_t stride) const {
+  if (area.size.width < 0 || area.size.width > kSize.width || area.size.height < 0)
+    throw std::out_of_range("an area that leaves the MA120's screen");
+  const auto width = static_cast<std::size_t>(area.size.width);
+  const auto height = static_cast<std::size_t>(area.size.height);
+  if (width == 0 || height == 0) return;
+  if (stride < width || words.size() < (height - 1) * stride + width)
+    throw std::invalid_argument("no room for the MA120's screen");
+  std::array<std::uint8_t, FrameBuffer::kColumns> memory;
+  const std::span<std::uint8_t> indices = std::span(memory).first(width);
+  for (std::size_t row = 0; row < height; ++row) {
+    frame_buffer.read_row(area.column, area.row + static_cast<int>(row), indices);
+    std::uint32_t* const line = &words[row * stride];
+    for (std::size_t i = 0; i < width; ++i) line[i] = words_of[indices[i]];
   }
 }
 

@@ -54,6 +54,13 @@ class Ma120 {
   void scan_out_argb(std::span<std::uint32_t> words,
                      std::size_t stride = FrameBuffer::kColumns) const;
 
+  /// Scans out an area by somebody else's table: a pixel whose index in memory is i gives
+  /// words_of[i] (mask, LUT and blanking have no part in it); row j of the area begins at word j *
+  /// stride. Throws std::out_of_range for an area that leaves the screen, std::invalid_argument as
+  /// above.
+  void scan_out_words(const Area& area, std::span<const std::uint32_t, 256> words_of,
+                      std::span<std::uint32_t> words, std::size_t stride) const;
+
   /// The whole screen before the LUT, for captures that keep the LUT's order. While it is blanked
   /// all entries are black.
   IndexedScreen capture() const;

@@ -5,6 +5,7 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utmp.h>
 
 #include <algorithm>
 #include <array>
@@ -22,14 +23,20 @@ AtTerminal::AtTerminal(const std::vector<std::string>& arguments,
   winsize size{};
   size.ws_row = 25;
   size.ws_col = static_cast<unsigned short>(columns);
-  process_ = ::forkpty(&line_, nullptr, nullptr, &size);
-  if (process_ < 0) throw std::runtime_error("no terminal");
+  int end = -1;  // the program's
+  if (::openpty(&line_, &end, nullptr, nullptr, &size) != 0 || ::tcgetattr(end, &at_first_) != 0)
+    throw std::runtime_error("no terminal");
+  process_ = ::fork();
+  if (process_ < 0) throw std::runtime_error("no process");
   if (process_ == 0) {
+    ::close(line_);
+    if (::login_tty(end) != 0) ::_exit(126);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::chdir(folder.c_str()) != 0) ::_exit(126);
     ::execv(program.c_str(), words.data());
     ::_exit(127);
   }
+  ::close(end);
 }
 
 AtTerminal::~AtTerminal() {

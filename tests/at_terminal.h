@@ -29,7 +29,8 @@ class AtTerminal {
 
   void signal(int number) const;
 
-  /// The terminal's modes now.
+  /// The terminal's modes before the program began, and now.
+  const termios& modes_at_first() const { return at_first_; }
   termios modes() const;
 
   /// Waits for the end; 128 + number where a signal ended it.
@@ -43,6 +44,7 @@ class AtTerminal {
 
   pid_t process_ = -1;
   int line_ = -1;
+  termios at_first_{};
   std::string got_;
 };
 

@@ -37,6 +37,20 @@ struct Sheet {
   }
 };
 
+TEST(Canvas, RemembersWhereItWasPainted) {
+  Sheet sheet(20, 10);
+  EXPECT_EQ(sheet.canvas.painted(), Rectangle{});
+  sheet.canvas.fill({-5, 30, 2, 2}, kRed);  // beyond
+  sheet.canvas.fill({3, 3, 0, 4}, kRed);
+  EXPECT_EQ(sheet.canvas.painted(), Rectangle{});
+  sheet.canvas.fill({4, 5, 3, 2}, kRed);
+  EXPECT_EQ(sheet.canvas.painted(), (Rectangle{4, 5, 3, 2}));
+  sheet.canvas.line(0, 9, 2, 9, kWhite);
+  EXPECT_EQ(sheet.canvas.painted(), (Rectangle{0, 5, 7, 5}));
+  sheet.canvas.fill({15, -3, 50, 4}, 0x80FFFFFF);
+  EXPECT_EQ(sheet.canvas.painted(), (Rectangle{0, 0, 20, 10}));
+}
+
 TEST(Canvas, TextIsTheLettersPointByPoint) {
   Sheet sheet(20, 10);
   EXPECT_EQ(sheet.canvas.text(1, 1, "Sã1", kWhite), 1 + 3 * kLetterWidth);

@@ -89,10 +89,5 @@ TEST(PrimaryHistogram, CountsEveryByteInItsBin) {
   EXPECT_THROW(primary_histogram(picture, 100), std::invalid_argument);
 }
 
-TEST(PixelsOfEntry, MarksThemAlone) {
-  EXPECT_EQ(pixels_of_entry(std::vector<std::uint8_t>{4, 255, 4, 0}, 4),
-            (std::vector<std::uint8_t>{1, 0, 1, 0}));
-}
-
 }  // namespace
 }  // namespace sir::viewer

@@ -102,6 +102,31 @@ TEST(Ma120, WordsAreTheSamePixels) {
                std::invalid_argument);
 }
 
+TEST(Ma120, AnAreaIsScannedOutByAnyTable) {
+  const Ma120 monitor = with_pattern();
+  std::array<std::uint32_t, 256> table;
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = static_cast<std::uint32_t>(i * 7919);
+  const IndexedScreen whole = monitor.capture();
+  for (const Area& area : {Area{0, 0, {1024, 780}}, Area{3, 5, {70, 20}}, Area{8, 779, {1016, 1}},
+                           Area{1023, 0, {1, 780}}, Area{500, 300, {64, 2}}, Area{7, 7, {3, 0}}}) {
+    const std::size_t stride = static_cast<std::size_t>(area.size.width) + 2;
+    std::vector<std::uint32_t> words(stride * static_cast<std::size_t>(area.size.height), 1);
+    monitor.scan_out_words(area, table, words, stride);
+    const IndexedScreen part = crop(whole, area);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const std::size_t row = i / stride, column = i % stride;
+      const auto width = static_cast<std::size_t>(area.size.width);
+      ASSERT_EQ(words[i], column < width ? table[part.indices[row * width + column]] : 1u) << i;
+    }
+  }
+  std::vector<std::uint32_t> words(100);
+  for (const Area& area : {Area{-1, 0, {5, 5}}, Area{1020, 0, {5, 5}}, Area{0, 776, {5, 5}},
+                           Area{0, -1, {5, 5}}, Area{0, 0, {-1, 5}}, Area{0, 0, {1025, 1}}})
+    EXPECT_THROW(monitor.scan_out_words(area, table, words, 20), std::out_of_range);
+  EXPECT_THROW(monitor.scan_out_words({0, 0, {10, 11}}, table, words, 10), std::invalid_argument);
+  EXPECT_THROW(monitor.scan_out_words({0, 0, {10, 2}}, table, words, 9), std::invalid_argument);
+}
+
 TEST(Ma120, ALutWriteShowsAtTheNextScan) {
   Ma120 monitor = with_pattern();
   monitor.lut_ports.write_address(pattern(5, 5));

@@ -196,6 +196,39 @@ TEST_F(Replay, BusSaysWhatShowingTakes) {
 }
 
 #ifdef SIR_WITH_SDL
+TEST_F(Replay, AWindowIsNotOpenedForWhatIsWrongFromTheStart) {
+  ::setenv("SDL_VIDEODRIVER", "dummy", 1);
+  sir({"lut", "s", "--size", "64x48", "-q"});
+  const std::string lut = folder.read("s.LUT");
+  expect_failure(show({"--trace", "s.LUT"}), "s.LUT");
+  EXPECT_EQ(folder.read("s.LUT"), lut);
+  expect_failure(show({"--lut", "none.LUT"}), "none.LUT: cannot be read");
+  folder.write("bad.LUT", "1 2 64\n");
+  expect_failure(show({"--lut", "bad.LUT"}), "bad.LUT:1");
+  const std::string played = trace("mask 1\n", 1);
+  EXPECT_EQ(sir({"replay", played, "--window", "--png", "x.png"}).exit_code, 2);
+  EXPECT_EQ(sir({"replay", played, "--window", "--json"}).exit_code, 2);
+  ::setenv("SDL_VIDEODRIVER", "none of them", 1);
+  expect_failure(sir({"replay", "none", "--window"}), "none: cannot be read");
+  expect_failure(sir({"replay", played, "--window"}), "window: ");
+  ::unsetenv("SDL_VIDEODRIVER");
+}
+
+TEST_F(Replay, AWindowTellsOfReadsThatDiffer) {
+  const std::string played = trace("lut.write 0\nlut.read 5\nread lut.data 7\n", 3);
+  const Ended ended = sir({"replay", played});
+  const std::size_t reason = ended.err.find("record 3: lut.data reads 0 where the trace says 7");
+  ASSERT_NE(reason, std::string::npos) << ended.err;
+  ::setenv("SDL_VIDEODRIVER", "dummy", 1);
+  Start start;
+  start.folder = folder.path();
+  Program program(SIR_PROGRAM, {"replay", played, "--window"}, start);
+  EXPECT_TRUE(program.wait_for("record 3: lut.data reads 0 where the trace says 7"));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.finish().exit_code, 130);
+  ::unsetenv("SDL_VIDEODRIVER");
+}
+
 TEST_F(Replay, AWindowsSessionIsWrittenWhenItCloses) {
   ::setenv("SDL_VIDEODRIVER", "dummy", 1);
   Start start;

@@ -98,7 +98,7 @@ TEST_F(ShowTerminal, AFullDiskIsAFailure) {
 TEST_F(ShowTerminal, ATerminalWithSixelGetsSixels) {
   if (!terminals_exist()) GTEST_SKIP() << "no terminal to show at";
   AtTerminal terminal(words({"--terminal", "--crop"}), folder.path(), 80);
-  const termios before = terminal.modes();
+  const termios before = terminal.modes_at_first();
   ASSERT_TRUE(terminal.wait_for(kQuestion));
   terminal.type("\x1b[?62;4;22c");
   EXPECT_EQ(terminal.finish(), 0);
@@ -138,7 +138,7 @@ TEST_F(ShowTerminal, CtrlCWhileItAsksLeavesTheTerminalAsItWas) {
   if (!terminals_exist()) GTEST_SKIP() << "no terminal to show at";
   for (const bool typed : {true, false}) {
     AtTerminal terminal(words({"--terminal", "--crop"}), folder.path(), 80);
-    const termios before = terminal.modes();
+    const termios before = terminal.modes_at_first();
     ASSERT_TRUE(terminal.wait_for(kQuestion));
     if (typed) terminal.type("\x03");
     else terminal.signal(SIGTERM);

@@ -317,51 +317,5 @@ TEST_F(ViewerTest, TheWheelZoomsAboutTheMouse) {
   EXPECT_FALSE(viewer.pixel_pinned());  // that was no click
 }
 
-TEST_F(ViewerTest, APictureLargerThanTheScreenIsRefusedWithBothSizes) {
-  ViewerOptions with = options();
-  with.image_area_only = false;
-  viewer_ = std::make_unique<Viewer>(std::move(with));
-  viewer_->open(test::write_picture(folder_.path(), "LARGE", {1030, 20}, 3), false);
-  settle();
-  EXPECT_THAT(viewer_->hopeless(), HasSubstr("1030x20"));
-  EXPECT_THAT(viewer_->hopeless(), HasSubstr("1024x780"));
-  viewer_->open(test::write_picture(folder_.path(), "A", kLarge, 3), true);
-  settle();
-  EXPECT_EQ(viewer_->hopeless(), "");
-  EXPECT_EQ(seen(480 + 5, 366 + 6), test::shown_colour(kLarge, 3, 5, 6));
-  type({"Page Up", "A"});  // the area alone has its centre
-  EXPECT_EQ(viewer_->picture().size, (ImageSize{1024, 20}));
-  EXPECT_EQ(seen(0, 0), test::shown_colour({1030, 20}, 3, 3, 0));
-}
-
-TEST_F(ViewerTest, AFileThatIsNoPictureIsSaidAndHopelessIfAlone) {
-  folder_.write("broken.png", "no picture");
-  viewer_ = std::make_unique<Viewer>(options());
-  viewer_->open(folder_ / "broken.png", false);
-  settle();
-  EXPECT_THAT(viewer_->message(), HasSubstr("broken.png"));
-  EXPECT_THAT(viewer_->hopeless(), HasSubstr("broken.png"));
-}
-
-TEST_F(ViewerTest, ChangedFilesAreShownAndVanishedOnesKeepTheLastPicture) {
-  three();
-  for (const unsigned seed : {11u, 13u, 17u}) {
-    test::write_picture(folder_.path(), "A", kLarge, seed);
-    EXPECT_TRUE(test::eventually([&] {
-      viewer_->refresh();
-      return seen(9, 9) == test::shown_colour(kLarge, seed, 9, 9) &&
-             seen(40, 30) == test::shown_colour(kLarge, seed, 40, 30);
-    })) << seed;
-  }
-  settle();
-  std::filesystem::remove(folder_ / "A.png");
-  EXPECT_TRUE(test::eventually([&] {
-    viewer_->refresh();
-    return !viewer_->message().empty();
-  }));
-  EXPECT_EQ(seen(9, 9), test::shown_colour(kLarge, 17, 9, 9));
-  EXPECT_THAT(viewer_->message(), HasSubstr("A.png"));
-}
-
 }  // namespace
 }  // namespace sir::viewer

@@ -177,6 +177,39 @@ TEST_F(WindowTest, CharactersThatNeedOtherKeysElsewhereAreCommandsToo) {
   EXPECT_GT(window.pixels().size.width, 0);  // drawn without harm on a window of 64 x 48
 }
 
+TEST_F(WindowTest, AHeldCharacterTogglesOnceToo) {
+  Window window(inputs_, options());
+  window.settle();
+  const auto question_mark = [](Uint8 repeat) {
+    press(SDLK_SLASH, KMOD_LSHIFT, repeat);
+    SDL_Event event{};
+    event.type = SDL_TEXTINPUT;
+    event.text.text[0] = '?';
+    send(event);
+  };
+  question_mark(0);
+  question_mark(1);
+  window.settle();
+  EXPECT_TRUE(window.viewer().key_sheet_open());
+  question_mark(0);
+  window.settle();
+  EXPECT_FALSE(window.viewer().key_sheet_open());
+}
+
+// Plus is a character of another key on many keyboards.
+TEST_F(WindowTest, TheWindowFollowsAZoomByACharacter) {
+  Window window(inputs_, options());
+  window.settle();
+  press(SDLK_EQUALS, KMOD_LSHIFT);
+  SDL_Event event{};
+  event.type = SDL_TEXTINPUT;
+  event.text.text[0] = '+';
+  send(event);
+  window.settle();
+  EXPECT_EQ(window.viewer().viewport().multiple(), 2);
+  EXPECT_EQ(window.pixels().size, (ImageSize{128, 96}));
+}
+
 TEST_F(WindowTest, LargePixelsShowTheirValues) {
   Window window(inputs_, options());
   window.settle();
@@ -200,6 +233,42 @@ TEST_F(WindowTest, LargePixelsShowTheirValues) {
       ASSERT_GT(inked, 10) << x << "," << y;
       ASSERT_LT(inked, kMaxMultiple * kMaxMultiple / 2);
     }
+}
+
+TEST_F(WindowTest, LettersLeaveNothingBehind) {
+  ViewerOptions whole = options();
+  whole.image_area_only = false;
+  Window window(inputs_, whole);
+  window.settle();
+  const eltek::Screen plain = window.pixels();
+  type(window, {SDLK_i});
+  move(100, 100);
+  window.settle();
+  const eltek::Screen left = window.pixels();
+  move(900, 700);
+  window.settle();
+  EXPECT_NE(window.pixels(), left);  // the inspector is in another corner
+  type(window, {SDLK_F1});
+  move(100, 100);
+  window.settle();
+  EXPECT_NE(window.pixels(), left);
+  type(window, {SDLK_F1});
+  EXPECT_EQ(window.pixels(), left);
+  type(window, {SDLK_i});
+  EXPECT_EQ(window.pixels(), plain);
+}
+
+TEST_F(WindowTest, TexturesThatLostTheirContentAreMadeAnew) {
+  Window window(inputs_, options());
+  window.settle();
+  const eltek::Screen before = window.pixels();
+  for (const std::uint32_t type : {SDL_RENDER_TARGETS_RESET, SDL_RENDER_DEVICE_RESET}) {
+    SDL_Event event{};
+    event.type = type;
+    send(event);
+    window.settle();
+    EXPECT_EQ(window.pixels(), before);
+  }
 }
 
 TEST_F(WindowTest, ADuelHasALineAndAPictureOnEachSide) {
@@ -228,6 +297,42 @@ TEST_F(WindowTest, SSavesTheIndexedScreen) {
   EXPECT_EQ(read_png(folder_ / "A-screen.png").at(70),
             test::shown_colour(kLarge, 3, 6, 1, 0b11110111));
 }
+
+#ifdef SIR_WITH_IMGUI
+TEST_F(WindowTest, APanelThatClosesUnderTheMouseLeavesNoEntryShown) {
+  ViewerOptions whole = options();
+  whole.image_area_only = false;
+  Window window(inputs_, whole);
+  window.settle();
+  type(window, {SDLK_p});
+  window.pixels();
+  const int width = window.pixels().size.width;
+  int y = 0;
+  for (; y < 700 && !window.viewer().entry(); y += 10) {
+    move(width - 170, y);
+    window.settle();
+    window.pixels();
+  }
+  ASSERT_TRUE(window.viewer().entry());
+  type(window, {SDLK_p});
+  window.pixels();
+  EXPECT_FALSE(window.viewer().entry());
+
+  type(window, {SDLK_p});
+  move(width - 170, y - 10);
+  window.settle();
+  window.pixels();
+  window.pixels();
+  ASSERT_TRUE(window.viewer().entry());
+  SDL_Event event{};
+  event.type = SDL_WINDOWEVENT;
+  event.window.event = SDL_WINDOWEVENT_LEAVE;
+  send(event);
+  window.settle();
+  window.pixels();
+  EXPECT_FALSE(window.viewer().entry());
+}
+#endif
 
 TEST_F(WindowTest, WhatCannotBeShownAtAllEndsItWithTheReason) {
   folder_.write("broken.png", "no picture");

@@ -13,7 +13,7 @@
 #include "tests/workshop_fixture.h"
 #include "tracer/render.h"
 #include "tracer/scene_file.h"
-#include "viewer/derived.h"
+#include "viewer/latest.h"
 
 namespace sir::viewer {
 namespace {
@@ -231,20 +231,23 @@ TEST_F(WorkshopTest, AMissingOrBadLutFileIsSaid) {
 TEST_F(WorkshopTest, FurtherResultsFollowPictureAndRendition) {
   write_rgb_png(folder / "p.png", test::plain_planes(kSize, {255, 255, 255}));
   const std::size_t number = open("p.png");
-  Derived<Rgb8> corner(
-      workshop(), [](const Picture& picture, const Rendition& made, const std::stop_token&) {
-        EXPECT_EQ(picture.planes.at(0), made.seen.at(0)) << "white and black are on the lattice";
-        return std::make_shared<const Rgb8>(made.seen.at(0));
-      });
+  Latest<Rgb8> corner;
   const auto comes_to_be = [&](Rgb8 colour) {
     return eventually([&] {
-      const auto result = corner.get(number, Method::best);
-      return corner.is_current(number, Method::best) && *result == colour;
+      const auto [picture, made, current] = workshop().shown(number, Method::best);
+      if (!current) return false;
+      const Ingredients of{picture, made};
+      const auto result =
+          corner.get(workshop().worker(), of, [picture, made](const std::stop_token&) {
+            EXPECT_EQ(picture->planes.at(0), made->seen.at(0)) << "both are on the lattice";
+            return std::make_shared<const Rgb8>(made->seen.at(0));
+          });
+      return corner.is_current(of) && *result == colour;
     });
   };
-  EXPECT_TRUE(comes_to_be({255, 255, 255})) << corner.error(number, Method::best);
+  EXPECT_TRUE(comes_to_be({255, 255, 255})) << corner.error();
   write_rgb_png(folder / "p.png", test::plain_planes(kSize, {0, 0, 0}));
-  EXPECT_TRUE(comes_to_be({0, 0, 0})) << corner.error(number, Method::best);
+  EXPECT_TRUE(comes_to_be({0, 0, 0})) << corner.error();
 }
 
 }  // namespace

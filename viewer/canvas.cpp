@@ -94,15 +94,33 @@ void Canvas::fill_wide(std::int64_t x, std::int64_t y, std::int64_t width, std::
       static_cast<std::ptrdiff_t>(std::min(x + width, std::int64_t{clip_.x} + clip_.width));
   const std::int64_t top = std::max<std::int64_t>(y, clip_.y);
   const std::int64_t bottom = std::min(y + height, std::int64_t{clip_.y} + clip_.height);
-  if (left >= right) return;
+  if (left >= right || top >= bottom) return;
+  note_painted({static_cast<int>(left), static_cast<int>(top), static_cast<int>(right - left),
+                static_cast<int>(bottom - top)});
   for (std::int64_t row = top; row < bottom; ++row) {
     const auto first = pixels_.begin() + static_cast<std::ptrdiff_t>(pitch_) * row;
-    if (part(colour, 24) == kOpaque) std::fill(first + left, first + right, colour);
-    else
-      std::transform(first + left, first + right, first + left,
-                     [&](Argb ground) { return over(colour, ground); });
+    if (part(colour, 24) == kOpaque) {
+      std::fill(first + left, first + right, colour);
+      continue;
+    }
+    // Grounds are mostly even.
+    Argb ground = first[left], mixed = over(colour, ground);
+    std::for_each(first + left, first + right, [&](Argb& pixel) {
+      if (pixel != ground) mixed = over(colour, ground = pixel);
+      pixel = mixed;
+    });
   }
 }
+
+void Canvas::note_painted(const Rectangle& area) {
+  const bool first = right_ == 0;
+  left_ = first ? area.x : std::min(left_, area.x);
+  top_ = first ? area.y : std::min(top_, area.y);
+  right_ = std::max(right_, area.x + area.width);
+  bottom_ = std::max(bottom_, area.y + area.height);
+}
+
+Rectangle Canvas::painted() const { return {left_, top_, right_ - left_, bottom_ - top_}; }
 
 void Canvas::frame(const Rectangle& area, Argb colour, int thickness) {
   if (thickness < 1 || area.width < 1 || area.height < 1) return;

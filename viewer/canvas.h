@@ -41,6 +41,9 @@ class Canvas {
   void clip_nothing();
   const Rectangle& clip() const { return clip_; }
 
+  /// The smallest rectangle around all that was painted so far; of no size before.
+  Rectangle painted() const;
+
   /// All pixels of the rectangle; a translucent colour is a panel's background.
   void fill(const Rectangle& area, Argb colour);
 
@@ -58,6 +61,7 @@ class Canvas {
   std::size_t place(int x, int y) const {
     return static_cast<std::size_t>(y) * pitch_ + static_cast<std::size_t>(x);
   }
+  void note_painted(const Rectangle& area);
   void put(std::int64_t x, std::int64_t y, Argb colour);
   void fill_wide(std::int64_t x, std::int64_t y, std::int64_t width, std::int64_t height,
                  Argb colour);
@@ -66,6 +70,7 @@ class Canvas {
   ImageSize size_;
   std::size_t pitch_;
   Rectangle clip_;
+  int left_ = 0, top_ = 0, right_ = 0, bottom_ = 0;  // of what was painted; right_ 0: nothing
 };
 
 }  // namespace sir::viewer

@@ -113,6 +113,38 @@ bool repeats(Command command) {
   }
 }
 
+bool needs_pictures(Command command) {
+  using enum Command;
+  switch (command) {
+    case zoom_in:
+    case zoom_out:
+    case fit:
+    case actual_size:
+    case values:
+    case full_screen:
+    case pan_left:
+    case pan_right:
+    case pan_up:
+    case pan_down:
+    case inspector:
+    case go_to_pixel:
+    case panel:
+    case screenshot:
+    case screenshot_as_seen:
+    case step_forward:
+    case step_back:
+    case leap_forward:
+    case leap_back:
+    case trace_start:
+    case trace_end:
+    case palette:
+    case key_sheet:
+    case cancel:
+    case quit: return false;
+    default: return true;
+  }
+}
+
 std::optional<Command> command_for(const Key& key) {
   for (const CommandInfo& info : commands())
     for (const std::string_view text : info.keys)

@@ -82,6 +82,9 @@ std::span<const CommandInfo> commands();
 /// Whether a held key does it again and again: moving, zooming and stepping, but no switching.
 bool repeats(Command command);
 
+/// Whether it needs pictures: a register trace that is played has none.
+bool needs_pictures(Command command);
+
 /// What a key is for; none where it is for nothing.
 std::optional<Command> command_for(const Key& key);
 

@@ -72,8 +72,9 @@ bool Findings::update_side(int side, const Wanted& wanted, const Side& shown,
 bool Findings::update_duel(const Wanted& wanted, const std::array<Side, 2>& sides) {
   const auto picture = sides[0].picture();
   const auto a = sides[0].rendition(), b = sides[1].rendition();
-  const bool possible =
-      wanted.sides == 2 && wanted.map == Map::duel && a && b && picture == sides[1].picture();
+  const bool possible = wanted.sides == 2 && wanted.map == Map::duel && a && b &&
+                        picture == sides[1].picture() && !sides[0].true_colour() &&
+                        !sides[1].true_colour();
   return take(
       duel_now_, duel_, {picture, a, b}, possible,
       [=](std::stop_token stop) -> std::shared_ptr<const DuelAndMap> {

@@ -9,6 +9,11 @@
 
 namespace sir::viewer {
 
+/// Columns of a picture, from the first to the one before the end.
+struct Columns {
+  int first = 0, end = 0;
+};
+
 /// Opaque 0xAARRGGBB words (viewer/argb.h), rows from the top.
 struct Frame {
   ImageSize size{0, 0};

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "viewer/canvas.h"
 #include "viewer/sdl_video.h"
 #include "viewer/viewer.h"
 
@@ -25,11 +26,13 @@ class Glass {
  private:
   void draw_picture(Viewer& viewer);
   void draw_text(Viewer& viewer, int scale);
-  void fit(Owned<SDL_Texture>& texture, ImageSize size, SDL_BlendMode blend);
+  bool fit(Owned<SDL_Texture>& texture, ImageSize size, SDL_BlendMode blend);
 
   SDL_Renderer* renderer_;
   Owned<SDL_Texture> picture_, text_;
-  std::vector<std::uint32_t> words_;
+  std::uint64_t picture_version_ = 0;  // that picture_ holds; 0: none
+  std::vector<Argb> words_;            // of text_; all 0 but for painted_
+  Rectangle painted_;
 };
 
 }  // namespace sir::viewer

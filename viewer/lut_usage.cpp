@@ -67,12 +67,4 @@ PrimaryHistogram primary_histogram(const Planes& picture, std::size_t bins) {
   return histogram;
 }
 
-std::vector<std::uint8_t> pixels_of_entry(std::span<const std::uint8_t> indices,
-                                          std::uint8_t entry) {
-  std::vector<std::uint8_t> mask(indices.size());
-  std::transform(indices.begin(), indices.end(), mask.begin(),
-                 [&](std::uint8_t index) { return static_cast<std::uint8_t>(index == entry); });
-  return mask;
-}
-
 }  // namespace sir::viewer

@@ -42,8 +42,4 @@ using PrimaryHistogram = std::array<std::vector<std::uint64_t>, 3>;
 /// std::invalid_argument.
 PrimaryHistogram primary_histogram(const Planes& picture, std::size_t bins);
 
-/// For each pixel 1 where it takes the entry, else 0.
-std::vector<std::uint8_t> pixels_of_entry(std::span<const std::uint8_t> indices,
-                                          std::uint8_t entry);
-
 }  // namespace sir::viewer

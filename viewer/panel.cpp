@@ -4,6 +4,8 @@
 #include <backends/imgui_impl_sdlrenderer.h>
 #include <imgui.h>
 
+#include <optional>
+
 #include "viewer/panel_input.h"
 #include "viewer/panel_parts.h"
 
@@ -31,15 +33,30 @@ class ImGuiPanel final : public Panel {
     input_.pass(event);
     const ImGuiIO& io = ImGui::GetIO();
     switch (event.type) {
-      case SDL_MOUSEMOTION: return is_within(event.motion.x) || io.WantCaptureMouse;
-      case SDL_MOUSEBUTTONDOWN: return is_within(event.button.x);
-      case SDL_MOUSEBUTTONUP: return false;  // a drag may end anywhere
-      case SDL_MOUSEWHEEL: return is_within(static_cast<int>(io.MousePos.x));
-      case SDL_TEXTINPUT:
-      case SDL_KEYDOWN: return io.WantTextInput;
+      case SDL_MOUSEMOTION: return holder_.value_or(owner_at(event.motion.x)) == Owner::panel;
+      case SDL_MOUSEBUTTONDOWN:
+        if (!holder_) holder_ = owner_at(event.button.x);
+        return holder_ == Owner::panel;
+      case SDL_MOUSEBUTTONUP: {
+        const bool mine = holder_ == Owner::panel;
+        if (!input_.any_button_held()) holder_.reset();
+        return mine;
+      }
+      case SDL_MOUSEWHEEL: return owner_at(static_cast<int>(io.MousePos.x)) == Owner::panel;
+      case SDL_TEXTINPUT: return io.WantTextInput;
+      case SDL_KEYDOWN:
+        return io.WantTextInput || (event.key.keysym.sym == SDLK_ESCAPE &&
+                                    ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
       default: return false;
     }
   }
+
+  void reset() override {
+    input_.reset();
+    holder_.reset();
+  }
+
+  void forget() override { ImGui_ImplSDLRenderer_DestroyDeviceObjects(); }
 
   void draw() override {
     input_.begin_frame(window_, renderer_);
@@ -55,6 +72,7 @@ class ImGuiPanel final : public Panel {
     parts_.draw(viewer_);
     ImGui::End();
     ImGui::Render();
+    input_.end_frame();
     // The backend leaves the density of the pixels to the renderer's scale.
     SDL_RenderSetScale(renderer_, io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y);
     ImGui_ImplSDLRenderer_RenderDrawData(ImGui::GetDrawData());
@@ -62,10 +80,11 @@ class ImGuiPanel final : public Panel {
   }
 
  private:
-  bool is_within(int x) const {
+  enum class Owner { picture, panel };
+  Owner owner_at(int x) const {
     int width = 0;
     SDL_GetWindowSize(window_, &width, nullptr);
-    return x >= width - kPanelWidth;
+    return x >= width - kPanelWidth ? Owner::panel : Owner::picture;
   }
 
   struct Context {
@@ -81,6 +100,7 @@ class ImGuiPanel final : public Panel {
   Viewer& viewer_;
   PanelInput input_;
   PanelParts parts_;
+  std::optional<Owner> holder_;  // of the mouse, while a button is down
 };
 
 }  // namespace

@@ -18,8 +18,15 @@ class Panel {
   /// In the window's units.
   virtual int width() const = 0;
 
-  /// Hears of every event first. Returns whether it is for the panel alone.
+  /// Hears of every event first, while it is open. Returns whether it is for the panel alone: what
+  /// happens over it, and all that a hand does that took hold of something there until it lets go.
   virtual bool takes(const SDL_Event& event) = 0;
+
+  /// It has been opened or closed: keys and buttons that were held then are nothing to it.
+  virtual void reset() = 0;
+
+  /// Textures lost their content: they are made anew.
+  virtual void forget() = 0;
 
   /// Draws it with SDL's renderer and does to the viewer what a person did in it.
   virtual void draw() = 0;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include "viewer/sdl_video.h"
@@ -30,6 +32,8 @@ constexpr std::array kKeys{
 std::size_t button_of(std::uint8_t button) {
   return button == SDL_BUTTON_LEFT ? 0u : button == SDL_BUTTON_RIGHT ? 1u : 2u;
 }
+
+const ImVec2 kNowhere{-std::numeric_limits<float>::max(), -std::numeric_limits<float>::max()};
 
 }  // namespace
 
@@ -60,14 +64,40 @@ void PanelInput::pass(const SDL_Event& event) {
     case SDL_KEYDOWN:
     case SDL_KEYUP: {
       const auto key = static_cast<std::size_t>(event.key.keysym.scancode);
-      if (key < std::size(io.KeysDown)) io.KeysDown[key] = event.type == SDL_KEYDOWN;
+      if (key < std::size(io.KeysDown)) {
+        std::erase(rising_, key);
+        if (event.type == SDL_KEYDOWN) io.KeysDown[key] = true;
+        else rising_.push_back(key);
+      }
       io.KeyShift = (event.key.keysym.mod & KMOD_SHIFT) != 0;
       io.KeyCtrl = (event.key.keysym.mod & KMOD_CTRL) != 0;
       io.KeyAlt = (event.key.keysym.mod & KMOD_ALT) != 0;
       break;
     }
+    case SDL_WINDOWEVENT:
+      if (event.window.event == SDL_WINDOWEVENT_LEAVE && !any_button_held()) io.MousePos = kNowhere;
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) release_keys();
+      break;
     default: break;
   }
+}
+
+void PanelInput::reset() {
+  held_ = pressed_ = {};
+  ImGui::GetIO().MousePos = kNowhere;
+  release_keys();
+}
+
+void PanelInput::release_keys() {
+  ImGuiIO& io = ImGui::GetIO();
+  std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+  io.KeyShift = io.KeyCtrl = io.KeyAlt = false;
+  rising_.clear();
+}
+
+void PanelInput::end_frame() {
+  for (const std::size_t key : rising_) ImGui::GetIO().KeysDown[key] = false;
+  rising_.clear();
 }
 
 void PanelInput::begin_frame(SDL_Window* window, SDL_Renderer* renderer) {

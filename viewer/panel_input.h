@@ -5,6 +5,8 @@
 #include <SDL.h>
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 namespace sir::viewer {
 
@@ -16,12 +18,23 @@ class PanelInput {
   /// Passes an event on; places of the mouse in the window's units.
   void pass(const SDL_Event& event);
 
+  /// Nothing is held, and the mouse is nowhere.
+  void reset();
+
+  bool any_button_held() const { return held_[0] || held_[1] || held_[2]; }
+
   /// Before each drawing: the window's size, how dense its pixels are, and what the mouse's buttons
-  /// do. A click that began and ended since the last drawing is down in this one.
+  /// do. What went down and up again since the last drawing, button or key, is down in this one.
   void begin_frame(SDL_Window* window, SDL_Renderer* renderer);
 
+  /// After each drawing.
+  void end_frame();
+
  private:
+  void release_keys();
+
   std::array<bool, 3> held_{}, pressed_{};
+  std::vector<std::size_t> rising_;  // keys that are down until the drawing is over
 };
 
 }  // namespace sir::viewer

@@ -10,13 +10,15 @@
 namespace sir::viewer {
 
 /// Hovering a field shows the pixels that use the entry, a click keeps them shown. Another order
-/// is a matter of this view: neither the LUT nor the picture changes.
+/// is a matter of this view: neither the LUT nor the picture changes. What is not counted yet is
+/// left out.
 class LutPart {
  public:
   void draw(Viewer& viewer);
 
  private:
-  void draw_fields(Viewer& viewer, const Rendition& rendition, const LutUsage& usage);
+  void draw_order();
+  void draw_fields(Viewer& viewer, const Rendition& rendition, const LutUsage* usage);
 
   EntryOrder order_ = EntryOrder::index;
 };

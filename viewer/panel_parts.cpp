@@ -14,7 +14,9 @@ namespace {
 const ImVec4 kAlarm{1.0f, 0.45f, 0.35f, 1.0f};
 
 void lines(const std::vector<std::string>& text) {
+  ImGui::PushTextWrapPos(0);  // at the panel's edge
   for (const std::string& line : text) ImGui::TextUnformatted(line.c_str());
+  ImGui::PopTextWrapPos();
 }
 
 // A button for each command, the chosen one marked.
@@ -39,6 +41,7 @@ void PanelParts::draw(Viewer& viewer) {
   if (part("Colours")) draw_colours(viewer);
   if (part("The MA120")) draw_machine(viewer);
   if (part("LUT")) lut_.draw(viewer);
+  else viewer.hover_entry(std::nullopt);
   if (part("Inspector: why this colour")) draw_inspector(viewer);
   if (part("On the screen")) draw_judgement(viewer);
   if (part("Histogram")) draw_histogram(viewer);
@@ -97,17 +100,17 @@ void PanelParts::draw_histogram(Viewer& viewer) {
   const auto* before = viewer.findings().histogram_before(viewer.active_side());
   const auto* after = viewer.findings().histogram_after(viewer.active_side());
   if (before == nullptr || after == nullptr) return ImGui::TextDisabled("...");
-  const auto plot = [&](const char* label, const PrimaryHistogram& histogram) {
+  const auto plot = [&](const char* id, const char* label, const PrimaryHistogram& histogram) {
     const auto& bins = histogram[static_cast<std::size_t>(primary_)];
     std::vector<float> values(bins.size());
     std::transform(bins.begin(), bins.end(), values.begin(),
                    [](std::uint64_t pixels) { return static_cast<float>(pixels); });
-    ImGui::PlotHistogram("", values.data(), static_cast<int>(values.size()), 0, label, 0,
+    ImGui::PlotHistogram(id, values.data(), static_cast<int>(values.size()), 0, label, 0,
                          *std::max_element(values.begin(), values.end()),
                          {ImGui::GetContentRegionAvail().x, 60});
   };
-  plot("true colours", *before);
-  plot("as seen", *after);
+  plot("##before", "true colours", *before);
+  plot("##after", "as seen", *after);
 }
 
 void PanelParts::draw_judgement(Viewer& viewer) {
@@ -126,12 +129,7 @@ void PanelParts::draw_judgement(Viewer& viewer) {
   lines(describe(*judgement));
 }
 
-void PanelParts::draw_inspector(Viewer& viewer) {
-  const auto lines = viewer.inspection();
-  ImGui::PushTextWrapPos(0);
-  for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());
-  ImGui::PopTextWrapPos();
-}
+void PanelParts::draw_inspector(Viewer& viewer) { lines(viewer.inspection()); }
 
 void PanelParts::draw_trace(Viewer& viewer) {
   const eltek::TracePlayer& player = *viewer.player();

@@ -86,7 +86,6 @@ PASS_ON(int, SDL_UpdateTexture,
         (SDL_Texture * texture, const SDL_Rect* rect, const void* pixels, int pitch),
         (texture, rect, pixels, pitch))
 PASS_ON(int, SDL_WaitEvent, (SDL_Event * event), (event))
-PASS_ON(Uint32, SDL_GetMouseState, (int* x, int* y), (x, y))
 PASS_ON(void, SDL_free, (void* memory), (memory))
 PASS_ON(int, SDL_SetWindowFullscreen, (SDL_Window * window, Uint32 flags), (window, flags))
 PASS_ON(int, SDL_RenderSetScale, (SDL_Renderer * renderer, float x, float y), (renderer, x, y))

@@ -25,14 +25,16 @@ class Side {
   /// anything is. An image that does not fit the screen leaves it as it was: see error().
   bool update(Workshop& workshop, std::size_t number, const RenditionOptions& options);
 
-  /// Runs the display program again: after station() was told to show another area.
+  /// Runs the display program with the latest picture: after station() was told to show another
+  /// area.
   void show_again();
 
   Station& station() { return station_; }
   const Station& station() const { return station_; }
 
-  /// What is shown, and through which LUT: null until there is one. In true colour the last
-  /// rendition stays on the MA120, which can show no other.
+  /// What is shown, and through which LUT: null until there is one, and what was before where the
+  /// latest does not fit. In true colour the last rendition stays on the MA120, which can show no
+  /// other.
   const std::shared_ptr<const Picture>& picture() const { return picture_; }
   const std::shared_ptr<const Rendition>& rendition() const { return rendition_; }
   bool true_colour() const { return shown_method_ == Method::true_colour; }
@@ -44,15 +46,18 @@ class Side {
   /// Whether something newer is on its way.
   bool waiting() const { return waiting_; }
 
-  /// Whether the image fits the screen.
+  /// Whether the latest image fits the screen.
   bool fits() const { return fits_; }
 
  private:
   Method method_for(const Picture& picture, const RenditionOptions& options) const;
+  void take_latest();
 
   Station station_;
   std::optional<Method> chosen_;
   Method shown_method_ = Method::hsv_median;
+  Method latest_method_ = Method::hsv_median;
+  Workshop::Shown latest_;  // offered to the station, which may have refused it
   std::shared_ptr<const Picture> picture_;
   std::shared_ptr<const Rendition> rendition_;
   std::string error_;

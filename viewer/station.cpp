@@ -1,8 +1,7 @@
 #include "viewer/station.h"
 
-#include <algorithm>
-
-#include "viewer/argb.h"
+#include <cstddef>
+#include <span>
 
 namespace sir::viewer {
 
@@ -39,21 +38,23 @@ std::optional<Place> Station::seen_pixel(Place image) const {
   return Place{within.x + area.column - seen_area_.column, within.y + area.row - seen_area_.row};
 }
 
-void Station::scan_out(Frame& frame, const eltek::Crt* crt) const {
-  frame.size = seen_area_.size;
-  frame.words.resize(frame.size.pixels());
-  if (crt != nullptr) {
-    const eltek::IndexedScreen screen = capture();
-    const auto palette = crt->palette(screen);
-    for (std::size_t i = 0; i < frame.words.size(); ++i)
-      frame.words[i] = argb(palette[screen.indices[i]]);
-  } else if (frame.size == eltek::Ma120::kSize) {
-    monitor_.scan_out_argb(frame.words);
-  } else {
-    const eltek::Screen screen = picture();
-    std::transform(screen.pixels.begin(), screen.pixels.end(), frame.words.begin(),
-                   [](Rgb8 colour) { return argb(colour); });
-  }
+IndexWords Station::seen_words(const eltek::Crt* crt) const {
+  std::array<Rgb8, 256> palette{};
+  if (!monitor_.blanked) palette = monitor_.palette();
+  if (crt != nullptr) palette = crt->palette(palette, monitor_.dac());
+  IndexWords words;
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = argb(palette[i & mask()]);
+  return words;
+}
+
+void Station::scan_out(Frame& frame, const IndexWords& words, const Columns& columns) const {
+  eltek::Area area = seen_area_;
+  area.column += columns.first;
+  area.size.width = columns.end - columns.first;
+  if (area.size.width > 0)
+    monitor_.scan_out_words(area, words,
+                            std::span(frame.words).subspan(frame.offset(columns.first, 0)),
+                            static_cast<std::size_t>(frame.size.width));
 }
 
 }  // namespace sir::viewer

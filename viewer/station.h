@@ -2,6 +2,7 @@
 // (thesis 3.5).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,11 +11,15 @@
 #include "eltek/crt.h"
 #include "eltek/display_driver.h"
 #include "eltek/ma120.h"
+#include "viewer/argb.h"
 #include "viewer/frame.h"
 #include "viewer/rendition.h"
 #include "viewer/viewport.h"
 
 namespace sir::viewer {
+
+/// A word for each index in the MA120's memory.
+using IndexWords = std::array<Argb, 256>;
 
 /// Shows one picture after another, each with its own LUT and through the DAC that it is for.
 class Station {
@@ -50,10 +55,15 @@ class Station {
   std::optional<Place> image_pixel(Place seen) const;
   std::optional<Place> seen_pixel(Place image) const;
 
-  /// Scans out the area that is seen, on the ideal monitor or through a tube, whose colours alone
-  /// count here (Crt::palette).
-  void scan_out(Frame& frame, const eltek::Crt* crt = nullptr) const;
-  eltek::Screen picture() const { return crop(monitor_.scan_out(), seen_area_); }
+  /// What each index in memory is seen as, past mask, LUT, DAC and blanking, on the ideal monitor
+  /// or through a tube, whose colours alone count here (Crt::palette).
+  IndexWords seen_words(const eltek::Crt* crt = nullptr) const;
+
+  /// The index in memory of each pixel reaches the LUT under this mask.
+  std::uint8_t mask() const { return monitor_.lut_ports.pixel_mask(); }
+
+  /// Scans out some columns of the area that is seen, by such words, into a frame of its size.
+  void scan_out(Frame& frame, const IndexWords& words, const Columns& columns) const;
 
   /// The same before the LUT, for captures and maps.
   eltek::IndexedScreen capture() const { return crop(monitor_.capture(), seen_area_); }

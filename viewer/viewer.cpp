@@ -44,6 +44,7 @@ Viewer::Viewer(ViewerOptions options)
 }
 
 void Viewer::open(const std::filesystem::path& input, bool show) {
+  if (player_) return say("a register trace is played; sir show opens pictures");
   const std::size_t number = workshop_.open(input);
   inputs_.push_back(input);
   if (show) turn_to(number);
@@ -75,14 +76,18 @@ bool Viewer::refresh() {
     composed_ = false;
     viewport_.set_picture(size);
     split_column_ = std::clamp(split_column_, 0, size.width);
+    if (pinned_ && (pinned_->x >= size.width || pinned_->y >= size.height)) pinned_.reset();
   }
+  shown_once_ = shown_once_ || sides_[0].picture();
   std::string news = workshop_.state(number_).message;
   for (const Side& side : sides_)
     if (news.empty()) news = side.error();
   if (news != news_) {
     // What was said of something else stays until a key goes down.
     if (!news.empty() || message_ == news_) message_ = news;
-    if (workshop_.state(number_).failed || !sides_[0].error().empty()) options_.report(news);
+    // What ends the window is said by whoever opened it.
+    const bool failed = workshop_.state(number_).failed || !sides_[0].error().empty();
+    if (failed && hopeless().empty()) options_.report(news);
     news_ = std::move(news);
     changed = true;
   }
@@ -105,32 +110,46 @@ void Viewer::tell_default() {
 }
 
 const Frame& Viewer::picture() {
-  if (!composed_) compose();
+  if (!composed_) {
+    compose();
+    ++picture_version_;
+  }
   composed_ = true;
   return frame_;
 }
 
 void Viewer::compose() {
   if (player_) return compose_trace();
-  compose_side(0, frame_);
-  if (!duel_) return;
-  compose_side(1, other_frame_);
-  if (other_frame_.size == frame_.size) take_right_part(frame_, other_frame_, split_column_);
+  frame_.size = sides_[0].station().seen_area().size;
+  frame_.words.resize(frame_.size.pixels());
+  const bool both = duel_ && sides_[1].station().seen_area().size == frame_.size;
+  const int split = both ? std::clamp(split_column_, 0, frame_.size.width) : frame_.size.width;
+  compose_side(0, {0, split});
+  compose_side(1, {split, frame_.size.width});
 }
 
-void Viewer::compose_side(int which, Frame& frame) {
+void Viewer::compose_side(int which, const Columns& columns) {
+  if (columns.first >= columns.end) return;
   const Side& shown = side(which);
   const Station& station = shown.station();
-  station.scan_out(frame, crt_on_ ? &tube_ : nullptr);
-  const auto lay = [&](const Planes& image) {
-    if (shown.picture() && image.size == shown.picture()->planes.size)
-      lay_over(frame, image, station.placement(), station.seen_area());
-  };
-  if (!shown.picture() || !shown.fits()) return;
-  if (reference_held_ || shown.true_colour())
-    return lay(crt_on_ ? through_tube(shown.picture()->planes) : shown.picture()->planes);
-  if (const Planes* map = findings_.map(which)) lay(*map);
-  else if (entry()) leave_entry(frame, station.capture().indices, *entry());
+  const bool image_there = shown.picture() && shown.fits();
+  const Planes* over = nullptr;
+  Planes on_tube;
+  if (image_there) {
+    const bool truth = reference_held_ || shown.true_colour();
+    over = truth ? &shown.picture()->planes : findings_.map(which);
+    if (truth && crt_on_) over = &(on_tube = through_tube(*over));
+  }
+  // An entry is one of the active side's LUT; to the other its index means another colour.
+  const bool stands_out = image_there && over == nullptr && entry() && (!duel_ || which == active_);
+  if (over != nullptr && over->size != shown.picture()->planes.size) over = nullptr;
+  // What is covered need not be scanned out.
+  if (over == nullptr || station.placement().on_screen != station.seen_area()) {
+    IndexWords words = station.seen_words(crt_on_ ? &tube_ : nullptr);
+    if (stands_out) leave_entry(words, station.mask(), *entry());
+    station.scan_out(frame_, words, columns);
+  }
+  if (over != nullptr) lay_over(frame_, *over, station.placement(), station.seen_area(), columns);
 }
 
 // Colours without a LUT on the same monitor, so that a flip compares colours and no monitors.
@@ -149,7 +168,7 @@ void Viewer::compose_trace() {
 }
 
 std::string Viewer::title() const {
-  std::string title = "SIR";
+  std::string title = player_ ? trace_name_ + " - register trace" : "SIR";
   if (workshop_.count() > 0) {
     title = sides_[0].picture() ? sides_[0].picture()->base.filename().string()
                                 : inputs_[number_].filename().string();

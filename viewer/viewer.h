@@ -49,8 +49,8 @@ class Viewer {
   /// Opens a further picture in the background and turns to it where `show` says so.
   void open(const std::filesystem::path& input, bool show);
 
-  /// Plays a register trace on an MA120 of its own instead of showing pictures. `name` is for
-  /// titles.
+  /// Plays a register trace on an MA120 of its own instead of showing pictures: those that are
+  /// opened from then on are refused with a message. `name` is for titles and screenshots.
   void replay(eltek::Trace trace, std::string name);
 
   /// A key goes down: to an open prompt, else to the command that it is for. Returns whether it
@@ -82,6 +82,9 @@ class Viewer {
   /// What is seen, one word a pixel of the picture.
   const Frame& picture();
 
+  /// Grows with each picture() that is another than the one before.
+  std::uint64_t picture_version() const { return picture_version_; }
+
   /// How it lies in the window.
   const Viewport& viewport() const { return viewport_; }
 
@@ -96,7 +99,8 @@ class Viewer {
   /// Whether what is on the screen is not yet all that was asked for.
   bool busy() const;
 
-  /// Why there is nothing to look at and will not be; empty: there is, or may be.
+  /// Why there is nothing to look at and will not be; empty: there is, or was, or may be. What has
+  /// been seen once stays, with a message, whatever becomes of the files.
   std::string hopeless() const;
 
   bool closed() const { return closed_; }
@@ -144,7 +148,7 @@ class Viewer {
 
   /// The pixel of the picture that the inspector is about: pinned by a click or the arrows, else
   /// under the mouse.
-  std::optional<Place> inspected() const { return pinned_ ? pinned_ : hovered_; }
+  std::optional<Place> inspected() const { return pinned_ ? pinned_ : hovered(); }
   bool pixel_pinned() const { return pinned_.has_value(); }
 
   /// The LUT entry whose pixels stand out: the one that is pointed at in the panel, else the one
@@ -155,6 +159,10 @@ class Viewer {
   void pin_entry(std::optional<std::uint8_t> entry);
 
  private:
+  /// Under the mouse, wherever the picture has gone meanwhile.
+  std::optional<Place> hovered() const {
+    return mouse_ ? viewport_.pixel_at(*mouse_) : std::nullopt;
+  }
   Side& active() { return sides_[static_cast<std::size_t>(active_)]; }
   void turn_to(std::size_t number);
   void choose(Method method);
@@ -173,6 +181,7 @@ class Viewer {
   void go_to(Place image_pixel);
   void pin_entry_of_pixel();
   void zoom(int steps, std::optional<Place> anchor = {});
+  std::string stem(const Side& shown) const;  // of the names of its screenshots
   void save_screen();
   void save_as_seen();
   void cancel();
@@ -184,7 +193,7 @@ class Viewer {
   std::vector<std::string> inspect_machine(Place at) const;
   void compose_trace();
   Planes through_tube(const Planes& image) const;
-  void compose_side(int which, Frame& frame);
+  void compose_side(int which, const Columns& columns);
 
   ViewerOptions options_;
   Workshop workshop_;
@@ -205,15 +214,16 @@ class Viewer {
   std::unique_ptr<eltek::TracePlayer> player_;
   std::string trace_name_;
   Viewport viewport_;
-  Frame frame_, other_frame_;
+  Frame frame_;
+  std::uint64_t picture_version_ = 0;
   Prompt prompt_;
   std::string message_, news_;
-  std::optional<Place> hovered_, pinned_, drag_from_;
+  std::optional<Place> mouse_, pinned_, drag_from_;  // pinned_: in the picture, else the window
   bool dragging_split_ = false, dragged_ = false;
   std::optional<std::uint8_t> entry_, entry_hovered_;
   bool inspector_open_ = false, key_sheet_open_ = false, panel_open_ = false, values_on_ = true;
   bool panel_shown_ = false, full_screen_ = false, closed_ = false, stale_ = true,
-       composed_ = false;
+       composed_ = false, shown_once_ = false;
   bool key_taken_ = false;
 };
 

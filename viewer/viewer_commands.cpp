@@ -12,6 +12,8 @@ void Viewer::perform(Command command) {
   using enum Command;
   stale_ = true;
   composed_ = false;
+  if (player_ && needs_pictures(command))
+    return say("a register trace is played, which has no pictures; see sir show");
   const std::size_t count = workshop_.count();
   switch (command) {
     case next_image:
@@ -121,6 +123,14 @@ int Viewer::middle_column() const {
 void Viewer::show_map(Map map) {
   map_ = map_ == map ? Map::none : map;
   if (map_ == Map::duel && !duel_) toggle_duel();
+  const auto true_colour = [&](int side) {
+    return sides_[static_cast<std::size_t>(side)].chosen() == Method::true_colour;
+  };
+  const bool a = true_colour(0), b = true_colour(duel_ ? 1 : 0);
+  if ((map_ == Map::duel && (a || b)) || (map_ == Map::heat && a && b)) {
+    map_ = Map::none;
+    say("true colour is what maps compare with: choose a method first");
+  }
   refresh();
 }
 
@@ -157,12 +167,15 @@ void Viewer::nudge(int right, int down) {
 }
 
 void Viewer::go_to(Place image_pixel) {
-  const auto seen = sides_[0].station().seen_pixel(image_pixel);
-  if (!seen) {
-    const ImageSize size = sides_[0].picture() ? sides_[0].picture()->planes.size : ImageSize{0, 0};
-    return say("the image has columns 0 to " + std::to_string(size.width - 1) + " and rows 0 to " +
+  if (!player_ && !sides_[0].picture()) return say("there is no picture yet");
+  const ImageSize size = player_ ? eltek::Ma120::kSize : sides_[0].picture()->planes.size;
+  if (image_pixel.x < 0 || image_pixel.y < 0 || image_pixel.x >= size.width ||
+      image_pixel.y >= size.height)
+    return say(std::string(player_ ? "the screen" : "the image") + " has columns 0 to " +
+               std::to_string(size.width - 1) + " and rows 0 to " +
                std::to_string(size.height - 1));
-  }
+  const auto seen = player_ ? image_pixel : sides_[0].station().seen_pixel(image_pixel);
+  if (!seen) return say("that pixel is beyond the screen's edge, which cuts the image");
   pinned_ = *seen;
   inspector_open_ = true;
   viewport_.reveal(*seen);
@@ -173,19 +186,29 @@ void Viewer::pin_entry_of_pixel() {
   const auto at = inspected();
   if (!at) return say("point at a pixel first");
   const auto screen = side(side_of(*at)).station().capture();
+  // The right side may still have a picture of another size.
+  if (at->x >= screen.size.width || at->y >= screen.size.height)
+    return say("that side has no such pixel yet");
+  if (duel_) active_ = side_of(*at);
   pin_entry(
       screen.indices[static_cast<std::size_t>(at->y) * static_cast<std::size_t>(screen.size.width) +
                      static_cast<std::size_t>(at->x)]);
+}
+
+std::string Viewer::stem(const Side& shown) const {
+  if (player_) return trace_name_;
+  return shown.picture() ? shown.picture()->base.filename().string() : "sir";
 }
 
 // The show goes on where a screenshot cannot be written.
 void Viewer::save_screen() {
   try {
     const Side& shown = active();
-    if (!shown.picture()) return say("there is nothing to save yet");
-    const std::string stem = shown.picture()->base.filename().string() + "-screen";
-    const auto path = free_name(options_.screenshots, stem);
-    write_indexed_png(path, shown.station().capture());
+    if (!player_ && !shown.picture()) return say("there is nothing to save yet");
+    const auto screen = player_ ? player_->raster().capture() : shown.station().capture();
+    if (!screen) return say("the frame has more than one palette; Shift+S saves it as it is seen");
+    const auto path = free_name(options_.screenshots, stem(shown) + "-screen");
+    write_indexed_png(path, *screen);
     say("saved " + path.string());
   } catch (const FileError& error) {
     say(error.what());
@@ -195,11 +218,10 @@ void Viewer::save_screen() {
 
 void Viewer::save_as_seen() {
   try {
-    const std::string stem =
-        (sides_[0].picture() ? sides_[0].picture()->base.filename().string() : "sir") + "-seen";
-    const auto path = free_name(options_.screenshots, stem);
+    const auto path = free_name(options_.screenshots, stem(sides_[0]) + "-seen");
     // The tube's spot, scan lines and shape are too dear to follow every key.
-    const bool alone = crt_on_ && !duel_ && !player_ && map_ == Map::none && !reference_held_;
+    const bool alone = crt_on_ && !duel_ && !player_ && map_ == Map::none && !reference_held_ &&
+                       !sides_[0].true_colour() && !entry();
     if (alone && !crt_.options().is_colour_map())
       write_rgb_png(path, eltek::to_planes(crt_.show(sides_[0].station().capture())));
     else write_rgb_png(path, to_planes(picture()));
@@ -213,6 +235,7 @@ void Viewer::save_as_seen() {
 void Viewer::toggle_panel() {
 #ifdef SIR_WITH_IMGUI
   panel_open_ = !panel_open_;
+  hover_entry(std::nullopt);  // there is no field left to leave
   refresh();
 #else
   say("this build has no panel (it was made without Dear ImGui)");
@@ -231,6 +254,7 @@ void Viewer::cancel() {
   else if (pinned_) pinned_.reset();
   else if (map_ != Map::none) map_ = Map::none;
   else if (inspector_open_) inspector_open_ = false;
+  else if (panel_open_) toggle_panel();
   else if (full_screen_) full_screen_ = false;
   else closed_ = true;
 }

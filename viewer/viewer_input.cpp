@@ -39,11 +39,12 @@ bool Viewer::press(const Key& key) {
 
 void Viewer::release(const Key& key) {
   key_taken_ = false;
-  if (command_for(key) == Command::flip_reference) hold_reference(false);
+  // Whatever else went down meanwhile.
+  if (command_for(Key{.code = key.code}) == Command::flip_reference) hold_reference(false);
 }
 
 void Viewer::hold_reference(bool held) {
-  if (held == reference_held_) return;
+  if (held == reference_held_ || player_) return;
   reference_held_ = held;
   composed_ = false;
   stale_ = true;
@@ -83,7 +84,7 @@ void Viewer::answer_prompt() {
 }
 
 void Viewer::point(Place at) {
-  hovered_ = viewport_.pixel_at(at);
+  mouse_ = at;
   stale_ = stale_ || inspector_open_ || panel_open_;
   if (!drag_from_) return;
   if (dragging_split_) {
@@ -122,8 +123,8 @@ void Viewer::release(Button button, Place at) {
 }
 
 void Viewer::wheel(int steps, Place at) {
+  mouse_ = at;
   zoom(steps, at);
-  hovered_ = viewport_.pixel_at(at);
   stale_ = true;
 }
 

@@ -15,7 +15,7 @@ bool Viewer::busy() const {
 }
 
 std::string Viewer::hopeless() const {
-  if (player_ || workshop_.count() == 0) return {};
+  if (player_ || shown_once_ || workshop_.count() == 0) return {};
   std::string reason;
   for (std::size_t i = 0; i < workshop_.count(); ++i) {
     const Workshop::State state = workshop_.state(i);

@@ -83,7 +83,7 @@ class Workshop {
   /// each drawing for all that it shows.
   void end_drawing(std::size_t number);
 
-  /// For further results made of pictures and renditions: see Latest and Derived.
+  /// For further results made of pictures and renditions: see Latest.
   Worker& worker();
 
  private:
