@@ -83,6 +83,7 @@ int print_script(const Path& base) {
 
 #ifdef SIR_WITH_IMGUI
 int run_window(const ModelOptions& options) {
+  if (options.script == "-") throw FileError("-", 0, "--window takes its script from a file");
   viewer::DeskOptions desk;
   desk.outlet = make_outlet();
   viewer::ModelWindow window(std::move(desk), [&](viewer::ModelDesk& at) {

@@ -174,8 +174,6 @@ TEST_F(ModelWindowTest, BoxesChangeTheView) {
   begin_with({"create ball sphere 1", "create bite sphere 2", "translate bite 0 0 1",
               "combine rest ball difference bite"});
   window();
-  click("Create");  // makes room
-  click("View");
   const auto before = desk().picture();
   click("ghosts");
   EXPECT_TRUE(desk().view().ghosts);

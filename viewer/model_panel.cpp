@@ -11,7 +11,7 @@
 namespace sir::viewer {
 namespace {
 
-constexpr float kBelow = 250;  // of the commands' part
+constexpr float kBelow = 195;  // of the commands' part
 const ImVec4 kAlarm{1.0f, 0.45f, 0.35f, 1.0f};
 
 }  // namespace
@@ -27,13 +27,13 @@ void ModelPanel::draw(ModelDesk& desk) {
   ImGui::SameLine();
   if (button("Frame")) desk.frame();
   ImGui::SameLine();
-  ImGui::TextDisabled("drag: turn, right: move, wheel: zoom");
+  ImGui::TextDisabled("left, right drag, wheel: camera");
+  draw_view(desk);
   if (part("Solids", true)) draw_solids(desk);
   if (part("Selected", true)) draw_selected(desk);
   if (part("Create", true)) draw_create(desk);
   if (std::exchange(open_combine_, false)) ImGui::SetNextItemOpen(true);
   if (part("Combine", false)) draw_combine(desk);
-  if (part("View", false)) draw_view(desk);
   if (part("Camera", false)) draw_camera(desk);
   if (part("Light", false)) draw_light(desk);
   if (part("File", false)) draw_file(desk);
@@ -47,7 +47,7 @@ void ModelPanel::draw(ModelDesk& desk) {
 
 void ModelPanel::draw_commands(ModelDesk& desk) {
   const std::vector<std::string> script = desk.script();
-  ImGui::BeginChild("script", {0, 110}, true);
+  ImGui::BeginChild("script", {0, 90}, true);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(script.size()));
   while (clipper.Step())
@@ -55,7 +55,7 @@ void ModelPanel::draw_commands(ModelDesk& desk) {
       ImGui::TextUnformatted(script[static_cast<std::size_t>(i)].c_str());
   if (std::exchange(commands_, script.size()) != script.size()) ImGui::SetScrollHereY(1);
   ImGui::EndChild();
-  ImGui::BeginChild("message", {0, 95}, true);
+  ImGui::BeginChild("message", {0, 62}, true);
   ImGui::PushTextWrapPos(0);
   if (desk.refused()) ImGui::PushStyleColor(ImGuiCol_Text, kAlarm);
   ImGui::TextUnformatted(desk.message().c_str());
