@@ -118,53 +118,42 @@ void ModelPanel::draw_selected(ModelDesk& desk) {
 
 // Fields that a hand drags, or types into. What one drag does is one command, however long it was.
 void ModelPanel::draw_moves(ModelDesk& desk, const std::string& word, double size) {
-  const auto give = [&](bool change, const std::string& command) {
-    if (change) desk.drag(command);
+  const auto released = [&] {
+    const bool is = ImGui::IsItemDeactivated();
+    if (is) desk.end_drag();
+    return is;
   };
   ImGui::SetNextItemWidth(240);
-  give(drag("move", &moved_.x, 3, size / 200),
-       moved_ == glm::dvec3(0)
-           ? ""
-           : fmt::format("translate {} {} {} {}", word, moved_.x, moved_.y, moved_.z));
+  if (drag("move", &moved_.x, 3, size / 200))
+    desk.drag(moved_ == glm::dvec3(0)
+                  ? ""
+                  : fmt::format("translate {} {} {} {}", word, moved_.x, moved_.y, moved_.z));
   note("move");
-  if (ImGui::IsItemDeactivated()) {
-    desk.end_drag();
-    moved_ = glm::dvec3(0);
-  }
+  if (released()) moved_ = glm::dvec3(0);
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string label = std::string("turn ") + kAxes[axis];
     ImGui::SetNextItemWidth(80);
     ImGui::PushID(axis);
-    give(
-        drag("##turn", &turned_[axis], 1, 1),
-        turned_[axis] == 0 ? "" : fmt::format("rotate {} {} {}", word, kAxes[axis], turned_[axis]));
-    note(label);
-    if (ImGui::IsItemDeactivated()) {
-      desk.end_drag();
-      turned_ = glm::dvec3(0);
-    }
+    double& degrees = turned_[axis];
+    if (drag("##turn", &degrees, 1, 1))
+      desk.drag(degrees == 0 ? "" : fmt::format("rotate {} {} {}", word, kAxes[axis], degrees));
+    note(std::string("turn ") + kAxes[axis]);
+    if (released()) degrees = 0;
     ImGui::PopID();
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   }
   ImGui::TextUnformatted("turn about x y z");
   ImGui::SetNextItemWidth(240);
-  give(drag("scale", &scaled_.x, 3, 0.01),
-       scaled_ == glm::dvec3(1)
-           ? ""
-           : fmt::format("scale {} {} {} {}", word, scaled_.x, scaled_.y, scaled_.z));
+  if (drag("scale", &scaled_.x, 3, 0.01))
+    desk.drag(scaled_ == glm::dvec3(1)
+                  ? ""
+                  : fmt::format("scale {} {} {} {}", word, scaled_.x, scaled_.y, scaled_.z));
   note("scale");
-  if (ImGui::IsItemDeactivated()) {
-    desk.end_drag();
-    scaled_ = glm::dvec3(1);
-  }
+  if (released()) scaled_ = glm::dvec3(1);
   ImGui::SetNextItemWidth(80);
-  give(drag("scale all", &factor_, 1, 0.01),
-       factor_ == 1 ? "" : fmt::format("scale {} {}", word, factor_));
+  if (drag("scale all", &factor_, 1, 0.01))
+    desk.drag(factor_ == 1 ? "" : fmt::format("scale {} {}", word, factor_));
   note("scale all");
-  if (ImGui::IsItemDeactivated()) {
-    desk.end_drag();
-    factor_ = 1;
-  }
+  if (released()) factor_ = 1;
 }
 
 void ModelPanel::draw_create(ModelDesk& desk) {

@@ -121,6 +121,7 @@ class ModelWindow::Impl {
     moved_over_ = moved_over_ || event.type == SDL_MOUSEMOTION;
     if (frame_->takes(event)) {
       if (turns || event.type == SDL_KEYDOWN) draw();
+      frames_due_ = 2;  // what the panel made of it shows in the next
       return;
     }
     switch (event.type) {

@@ -3,6 +3,8 @@
 #include <backends/imgui_impl_sdlrenderer.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace sir::viewer {
 
 PanelFrame::Context::Context() { ImGui::CreateContext(); }
@@ -42,6 +44,11 @@ bool PanelFrame::takes(const SDL_Event& event) {
 
 void PanelFrame::draw(const std::function<void()>& parts) {
   input_.begin_frame(window_, renderer_);
+  // Two clicks are one double click only where they are near in time.
+  const auto now = Clock::now();
+  const float seconds = std::chrono::duration<float>(now - drawn_).count();
+  ImGui::GetIO().DeltaTime = std::clamp(seconds, 0.001f, 1.0f);
+  drawn_ = now;
   ImGui_ImplSDLRenderer_NewFrame();
   ImGui::NewFrame();
   const ImGuiIO& io = ImGui::GetIO();

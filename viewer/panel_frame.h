@@ -4,6 +4,7 @@
 
 #include <SDL.h>
 
+#include <chrono>
 #include <functional>
 
 #include "viewer/panel_input.h"
@@ -39,7 +40,9 @@ class PanelFrame {
   SDL_Window* window_;
   SDL_Renderer* renderer_;
   int width_;
+  using Clock = std::chrono::steady_clock;
   PanelInput input_;
+  Clock::time_point drawn_ = Clock::now();
   bool held_ = false;  // a button went down in it
 };
 
