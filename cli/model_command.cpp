@@ -17,6 +17,9 @@
 #include "tracer/scene_file.h"
 #include "tracer/scene_path.h"
 #include "viewer/half_blocks.h"
+#ifdef SIR_WITH_IMGUI
+#include "viewer/model_window.h"
+#endif
 #include "viewer/png_file.h"
 #include "viewer/terminal.h"
 
@@ -78,6 +81,25 @@ int print_script(const Path& base) {
   return kDone;
 }
 
+#ifdef SIR_WITH_IMGUI
+int run_window(const ModelOptions& options) {
+  if (options.script == "-") throw FileError("-", 0, "--window takes its script from a file");
+  viewer::DeskOptions desk;
+  desk.outlet = make_outlet();
+  viewer::ModelWindow window(std::move(desk), [&](viewer::ModelDesk& at) {
+    if (options.script) at.run_script(*options.script);
+    if (options.from) at.open(*options.from);
+  });
+  window.run(interruption());
+  return interrupted() ? kInterrupted : kDone;
+}
+#else
+int run_window(const ModelOptions&) {
+  throw FileError("window", 0,
+                  "this build has none (it needs SDL2 and Dear ImGui); leave out --window");
+}
+#endif
+
 }  // namespace
 
 modeler::Outlet make_outlet() {
@@ -90,6 +112,7 @@ modeler::Outlet make_outlet() {
 }
 
 int run_model(const ModelOptions& options, const Session& session) {
+  if (options.window) return run_window(options);
   if (options.from) return print_script(*options.from);
   modeler::Interpreter interpreter(make_outlet());
   if (options.script && *options.script != "-")
@@ -106,6 +129,8 @@ void add_model(CLI::App& app, Action& action) {
   sub->add_option("--from", options->from, "print the script that makes BASE.CSG")
       ->type_name("BASE")
       ->excludes(script);
+  sub->add_flag("--window", options->window,
+                "work in a window; with --from on BASE.CSG, seen by BASE.CAM, .LUZ and .SUP");
   sub->footer("The commands: sir model, then help; docs/modeler.md.");
   sub->callback([&action, options] {
     if (options->from) options->from = given_base(*options->from);

@@ -11,7 +11,8 @@ namespace sir::cli {
 
 struct ModelOptions {
   std::optional<std::filesystem::path> script;  ///< "-": standard input
-  std::optional<std::filesystem::path> from;    ///< a scene that is turned into a script
+  std::optional<std::filesystem::path> from;    ///< a scene that is turned into a script, or opened
+  bool window = false;                          ///< what there is then is worked on in a window
 };
 
 /// Does the commands of a script or of standard input, or asks for them where that is a terminal;

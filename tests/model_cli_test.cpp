@@ -45,6 +45,28 @@ TEST_F(ModelCli, AnErrorNamesTheScriptAndTheLineAndExitsWithOne) {
   EXPECT_THAT(folder.read("self.model"), HasSubstr("create a cube 1"));
 }
 
+TEST_F(ModelCli, AWindowNeedsADisplay) {
+  for (const char* name : {"SDL_VIDEODRIVER", "DISPLAY", "WAYLAND_DISPLAY"}) ::unsetenv(name);
+  // A library of the desktop would complain of its own.
+  ::setenv("XDG_RUNTIME_DIR", folder.path().c_str(), 1);
+  folder.write("a.model", "create a cube 1\n");
+  expect_failure(sir({"model", "--window", "a.model"}), "window: ");
+  expect_failure(sir({"model", "--window"}), "window: ");
+#ifdef SIR_WITH_IMGUI
+  expect_failure(sir({"model", "--window"}), "without --window");
+  expect_failure(sir({"model", "--window", "-"}), "from a file");
+  ::setenv("SDL_VIDEODRIVER", "dummy", 1);
+  expect_failure(sir({"model", "--window", "--from", "none"}), "none.CSG: is missing");
+  folder.write("b.model", "create a cube 1\ncreate a cube 1\n");
+  expect_failure(sir({"model", "--window", "b.model"}), "b.model:2: ");
+  folder.write("c.model", "create a cube 1\nsave a a\nquit\n");
+  const Ended ended = sir({"model", "--window", "c.model"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(folder.has("a.CSG"));
+  ::unsetenv("SDL_VIDEODRIVER");
+#endif
+}
+
 TEST_F(ModelCli, StandardInputIsAScript) {
   const Ended ended = sir_reading("create a cube 1\nlist\nquit\nnonsense\n", {"model"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;

@@ -16,10 +16,13 @@ namespace sir::viewer {
 void check(bool worked, const char* what);
 
 /// SDL's video part for as long as this lives. Throws FileError where there is no display, also
-/// where SDL would draw to none in silence, unless SDL_VIDEODRIVER asks for that by name.
+/// where SDL would draw to none in silence, unless SDL_VIDEODRIVER asks for that by name. `way_out`
+/// ends the message: what else a person can do.
 class Video {
  public:
-  Video();
+  static constexpr const char* kWayOut =
+      "; run it on a desktop (DISPLAY or WAYLAND_DISPLAY set), or use --terminal or --png OUT.png";
+  explicit Video(const std::string& way_out = kWayOut);
   ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;

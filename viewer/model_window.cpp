@@ -1,0 +1,252 @@
+#include "viewer/model_window.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "viewer/argb.h"
+#include "viewer/model_panel.h"
+#include "viewer/panel_frame.h"
+#include "viewer/sdl_video.h"
+
+namespace sir::viewer {
+namespace {
+
+constexpr int kPanelWidth = 420, kWidth = 1240, kHeight = 760;
+constexpr int kClick = 3;  // a hand that moves so little between press and release has clicked
+
+void push(std::uint32_t type) {
+  SDL_Event event{};
+  event.type = type;
+  SDL_PushEvent(&event);
+}
+
+DeskOptions waking(DeskOptions options) {
+  options.wake = [] { push(SDL_USEREVENT); };
+  return options;
+}
+
+}  // namespace
+
+class ModelWindow::Impl {
+ public:
+  Impl(DeskOptions options, const std::function<void(ModelDesk&)>& prepare)
+      : video_("; run it on a desktop (DISPLAY or WAYLAND_DISPLAY set), or without --window"),
+        window_(SDL_CreateWindow("SIR modeler", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                                 kWidth, kHeight, SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI)),
+        renderer_(window_ ? SDL_CreateRenderer(window_.get(), -1, 0) : nullptr),
+        desk_(waking(std::move(options))) {
+    check(window_ != nullptr, "cannot be opened");
+    check(renderer_ != nullptr, "cannot be drawn to");
+    frame_ = std::make_unique<PanelFrame>(window_.get(), renderer_.get(), kPanelWidth);
+    prepare(desk_);
+    present();
+  }
+
+  void run(std::stop_token stop) {
+    const std::stop_callback on_stop(std::move(stop), [this] {
+      stopped_ = true;
+      push(SDL_USEREVENT);
+    });
+    while (!desk_.closed() && !stopped_) {
+      handle_events();
+      if (stale()) present();
+    }
+  }
+
+  void settle() {
+    handle_waiting();
+    while (!desk_.closed() && (stale() || desk_.busy())) {
+      if (stale()) present();
+      else handle_events();
+    }
+  }
+
+  ModelDesk& desk() { return desk_; }
+
+  std::optional<Spot> find(const std::string& label) const {
+    if (label == "picture") {
+      const auto [units, pixels] = widths();
+      return Spot{place_.x * units / pixels, place_.y * units / pixels};
+    }
+    const auto spot = panel_.spots().find(label);
+    if (spot == panel_.spots().end()) return std::nullopt;
+    return Spot{spot->second.first, spot->second.second};
+  }
+
+  eltek::Screen pixels() {
+    draw();
+    const PixelSize size = pixel_size(renderer_.get());
+    eltek::Screen screen{{size.width, size.height}, {}};
+    std::vector<std::uint32_t> words(screen.size.pixels());
+    check(SDL_RenderReadPixels(renderer_.get(), nullptr, SDL_PIXELFORMAT_ARGB8888, words.data(),
+                               4 * screen.size.width) == 0,
+          "cannot be read back");
+    screen.pixels.resize(words.size());
+    std::transform(words.begin(), words.end(), screen.pixels.begin(), rgb);
+    return screen;
+  }
+
+ private:
+  bool stale() const { return frames_due_ > 0 || desk_.picture() != drawn_; }
+
+  void handle_events() {
+    SDL_Event event;
+    check(SDL_WaitEvent(&event) != 0, "gets no events");
+    handle(event);
+    handle_waiting();
+  }
+
+  void handle_waiting() {
+    SDL_Event event;
+    while (!desk_.closed() && SDL_PollEvent(&event) != 0) handle(event);
+    desk_.refresh();
+  }
+
+  void handle(const SDL_Event& event) {
+    // A toolkit answers to an event in this drawing and in the next.
+    if (event.type != SDL_USEREVENT) frames_due_ = 2;
+    if (event.type == SDL_QUIT) return desk_.close();
+    if (event.type == SDL_RENDER_TARGETS_RESET || event.type == SDL_RENDER_DEVICE_RESET) {
+      texture_.reset();  // its content is lost
+      drawn_.reset();
+    }
+    // The panel sees the mouse once a drawing: where it was when the button went down or up, and
+    // each of the two, has a drawing of its own. So has a key, which may be up again at once.
+    const bool turns = event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP;
+    if (turns && std::exchange(moved_over_, false)) draw();
+    moved_over_ = moved_over_ || event.type == SDL_MOUSEMOTION;
+    if (frame_->takes(event)) {
+      if (turns || event.type == SDL_KEYDOWN) draw();
+      frames_due_ = 2;  // what the panel made of it shows in the next
+      return;
+    }
+    switch (event.type) {
+      case SDL_KEYDOWN: press(event.key.keysym); break;
+      case SDL_MOUSEBUTTONDOWN:
+        button_ = event.button.button;
+        pressed_ = last_ = {event.button.x, event.button.y};
+        moved_ = false;
+        break;
+      case SDL_MOUSEBUTTONUP: release(event.button); break;
+      case SDL_MOUSEMOTION: move({event.motion.x, event.motion.y}); break;
+      case SDL_MOUSEWHEEL: desk_.zoom(event.wheel.y); break;
+      default: break;
+    }
+  }
+
+  void press(const SDL_Keysym& key) {
+    const bool ctrl = (key.mod & KMOD_CTRL) != 0, shift = (key.mod & KMOD_SHIFT) != 0;
+    if (ctrl && key.sym == SDLK_z) desk_.execute(shift ? "redo" : "undo");
+    else if (ctrl && key.sym == SDLK_y) desk_.execute("redo");
+    else if (!ctrl && key.sym == SDLK_f) desk_.frame();
+  }
+
+  void move(Spot at) {
+    if (button_ == 0) return;
+    moved_ = moved_ || std::abs(at.x - pressed_.x) > kClick || std::abs(at.y - pressed_.y) > kClick;
+    if (!moved_) return;
+    const auto [units, pixels] = widths();
+    const double right = double(at.x - last_.x) * pixels / units;
+    const double down = double(at.y - last_.y) * pixels / units;
+    const ImageSize size = desk_.picture_size();
+    if (button_ == SDL_BUTTON_LEFT) desk_.turn(right / size.height, down / size.height);
+    else desk_.pan(right / size.width, down / size.height);
+    last_ = at;
+  }
+
+  void release(const SDL_MouseButtonEvent& event) {
+    if (event.button != button_) return;
+    button_ = 0;
+    if (moved_ || event.button != SDL_BUTTON_LEFT) return;
+    const auto [units, pixels] = widths();
+    desk_.select_at(event.x * pixels / units - place_.x, event.y * pixels / units - place_.y);
+  }
+
+  // The window's width in its own units and in pixels, which on dense displays are more.
+  std::pair<int, int> widths() const {
+    int units = 0;
+    SDL_GetWindowSize(window_.get(), &units, nullptr);
+    return {std::max(units, 1), std::max(pixel_size(renderer_.get()).width, 1)};
+  }
+
+  void present() {
+    draw();
+    SDL_RenderPresent(renderer_.get());
+  }
+
+  void draw() {
+    const PixelSize size = pixel_size(renderer_.get());
+    const auto [units, pixels] = widths();
+    const ImageSize room{std::max(1, size.width - kPanelWidth * pixels / units),
+                         std::max(1, size.height)};
+    desk_.set_room(room);
+    desk_.refresh();
+    SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 255);
+    check(SDL_RenderClear(renderer_.get()) == 0, "cannot be drawn to");
+    draw_picture(room);
+    frames_due_ = std::max(0, frames_due_ - 1);
+    frame_->draw([this] { panel_.draw(desk_); });
+    desk_.refresh();
+  }
+
+  // In the middle of its room; one of an earlier size is stretched until there is a new one.
+  void draw_picture(ImageSize room) {
+    drawn_ = desk_.picture();
+    const ImageSize size = desk_.picture_size();
+    place_ = {(room.width - size.width) / 2, (room.height - size.height) / 2};
+    if (!drawn_) return;
+    const Planes& planes = drawn_->planes;
+    ImageSize now{0, 0};
+    if (texture_) SDL_QueryTexture(texture_.get(), nullptr, nullptr, &now.width, &now.height);
+    if (!(now == planes.size))
+      texture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_ARGB8888,
+                                       SDL_TEXTUREACCESS_STREAMING, planes.size.width,
+                                       planes.size.height));
+    check(texture_ != nullptr, "cannot hold the picture");
+    words_.resize(planes.size.pixels());
+    for (std::size_t pixel = 0; pixel < words_.size(); ++pixel)
+      words_[pixel] = argb(planes.at(pixel));
+    const SDL_Rect to{place_.x, place_.y, size.width, size.height};
+    check(SDL_UpdateTexture(texture_.get(), nullptr, words_.data(), 4 * planes.size.width) == 0 &&
+              SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, &to) == 0,
+          "cannot be drawn to");
+  }
+
+  Video video_;
+  Owned<SDL_Window> window_;
+  Owned<SDL_Renderer> renderer_;
+  Owned<SDL_Texture> texture_;
+  ModelDesk desk_;  // its thread wakes the window: it goes first
+  std::unique_ptr<PanelFrame> frame_;
+  ModelPanel panel_;
+  std::shared_ptr<const modeler::PreviewPicture> drawn_;
+  std::vector<std::uint32_t> words_;
+  Spot place_, pressed_, last_;
+  std::uint8_t button_ = 0;  // that went down in the picture; 0: none
+  bool moved_ = false, moved_over_ = false;
+  std::atomic<bool> stopped_ = false;
+  int frames_due_ = 2;
+};
+
+ModelWindow::ModelWindow(DeskOptions options, const std::function<void(ModelDesk&)>& prepare)
+    : impl_(std::make_unique<Impl>(std::move(options), prepare)) {}
+
+ModelWindow::~ModelWindow() = default;
+
+void ModelWindow::run(std::stop_token stop) { impl_->run(std::move(stop)); }
+
+void ModelWindow::settle() { impl_->settle(); }
+
+ModelDesk& ModelWindow::desk() { return impl_->desk(); }
+
+std::optional<ModelWindow::Spot> ModelWindow::find(const std::string& label) const {
+  return impl_->find(label);
+}
+
+eltek::Screen ModelWindow::pixels() { return impl_->pixels(); }
+
+}  // namespace sir::viewer

@@ -1,0 +1,49 @@
+// A column of a window that Dear ImGui draws: its context between SDL's events and SDL's renderer.
+// Only in builds with Dear ImGui. The thesis's menus are of characters (3.2).
+#pragma once
+
+#include <SDL.h>
+
+#include <chrono>
+#include <functional>
+
+#include "viewer/panel_input.h"
+
+namespace sir::viewer {
+
+/// `width`, and places of the mouse, in the window's units. The column is at the right. One at a
+/// time: Dear ImGui has one context that is current.
+class PanelFrame {
+ public:
+  PanelFrame(SDL_Window* window, SDL_Renderer* renderer, int width);
+  ~PanelFrame();
+  PanelFrame(const PanelFrame&) = delete;
+  PanelFrame& operator=(const PanelFrame&) = delete;
+
+  /// Hears of every event first. Returns whether it is for the panel alone.
+  bool takes(const SDL_Event& event);
+
+  /// Draws what `parts` makes.
+  void draw(const std::function<void()>& parts);
+
+ private:
+  bool is_within(int x) const;
+
+  struct Context {
+    Context();
+    ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+  };
+
+  Context context_;
+  SDL_Window* window_;
+  SDL_Renderer* renderer_;
+  int width_;
+  using Clock = std::chrono::steady_clock;
+  PanelInput input_;
+  Clock::time_point drawn_ = Clock::now();
+  bool held_ = false;  // a button went down in it
+};
+
+}  // namespace sir::viewer
