@@ -105,6 +105,8 @@ std::string volume_text(const Node& tree) {
   if (!sampling.inside)
     return sampling.rays == 0 ? "  volume 0: the bounds are empty\n"
                               : fmt::format("  volume 0: none of {} rays met it\n", sampling.rays);
+  if (!std::isnormal(sampling.volume) || !std::isfinite(sampling.error))
+    return fmt::format("  volume too {} for a number\n", sampling.volume < 1 ? "small" : "large");
   // As many digits as the error leaves.
   const double error = std::max(sampling.error, 1e-6 * sampling.volume);
   const int digits = std::clamp(

@@ -78,6 +78,11 @@ void take_looks(const std::string& base, Scene& scene) {
       if (surface.number == described.number) surface = described;
 }
 
+bool is_blank(const Planes& lines) {
+  return std::all_of(lines.channel[0].begin(), lines.channel[0].end(),
+                     [](std::uint8_t value) { return value == 0; });
+}
+
 }  // namespace
 
 Reply Interpreter::show(Arguments& words) const {
@@ -117,6 +122,8 @@ Reply Interpreter::show(Arguments& words) const {
   }
   if (outlet_.stop.stop_requested()) throw CommandError("interrupted");
   Reply reply;
+  if (!wanted.shaded && is_blank(picture))
+    reply.warnings.push_back("nothing of " + in_quotes(wanted.name) + " is seen");
   if (to_file) {
     outlet_.write_picture(wanted.file, picture);
     reply.done = "wrote " + wanted.file;

@@ -225,6 +225,13 @@ TEST_F(Look, VolumesAgreeWithFormulas) {
   check("shell", 4 * kPi / 3 * (1 - 0.729));
 }
 
+TEST_F(Look, AVolumeThatIsNoDoubleIsSaid) {
+  say_all(
+      {"create large cube 1", "scale large 1e200", "create small cube 1", "scale small 1e-200"});
+  EXPECT_THAT(say("inspect large volume").text, HasSubstr("volume too large for a number"));
+  EXPECT_THAT(say("inspect small volume").text, HasSubstr("volume too small for a number"));
+}
+
 TEST_F(Look, EmptySolidsAreFound) {
   const auto warned = [&](const char* name) { return modeler::warnings(solid(name)); };
   say_all({"create small sphere 1", "create large cube 1", "scale large 4",
@@ -240,6 +247,7 @@ TEST_F(Look, EmptySolidsAreFound) {
            "combine f d union e"});
   EXPECT_THAT(warned("f"), ElementsAre(HasSubstr("\"lens\" is empty")));
   EXPECT_THAT(say("inspect nothing").text, HasSubstr("volume 0: none of "));
+  EXPECT_THAT(say("show nothing").warnings, ElementsAre("nothing of \"nothing\" is seen"));
   say_all({"create g sphere 1", "create h sphere 1", "translate h 1.1 1.1 1.1", "scale g 1.001",
            "combine sliver g intersection h"});
   EXPECT_THAT(warned("sliver"), IsEmpty());
