@@ -45,7 +45,7 @@ Waits open_once(const char* base) {
   Waits waits;
   waits.first = wait_until([&] { return workshop.state(number).picture != nullptr; });
   waits.median =
-      wait_until([&] { return workshop.rendition(number, Method::hsv_median) != nullptr; });
+      wait_until([&] { return workshop.shown(number, Method::hsv_median).rendition != nullptr; });
   waits.whole = wait_until([&] { return !workshop.state(number).busy; });
   waits.best = wait_until([&] { return workshop.shown(number, Method::best).current; });
   return waits;

@@ -28,11 +28,7 @@ viewer::Rendition shown_by(const viewer::Picture& picture, const WhyOptions& opt
 
 // The scene behind BASE, if it is there; a broken one leaves the rest of the answer as it is.
 std::shared_ptr<const Scene> scene_of(const WhyOptions& options, const Session& session) {
-  if (is_png(options.input)) return nullptr;
-  bool there = false;
-  for (const char* suffix : {"CSG", "csg"})
-    there = there || std::filesystem::exists(with_suffix(options.input, suffix));
-  if (!there) return nullptr;
+  if (is_png(options.input) || !existing_by_suffix(options.input, "CSG")) return nullptr;
   try {
     return std::make_shared<const Scene>(read_scene(options.input));
   } catch (const FileError& error) {

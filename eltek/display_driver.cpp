@@ -46,13 +46,6 @@ void load_lut(Bus& bus, const quant::Lut& lut) {
     for (const std::uint8_t code : entry) bus.write(Port::lut_data, code);
 }
 
-void load_lut(LutPorts& ports, const quant::Lut& lut) {
-  require_same(lut.dac, ports.dac());
-  ports.write_address(0);
-  for (const quant::DacCode& entry : lut.entry)
-    for (const std::uint8_t code : entry) ports.write_data(code);
-}
-
 std::uint8_t nearest_to_black(const quant::Lut& lut, const quant::IndexSet& reserved) {
   return quant::nearest_entry(Rgb8{0, 0, 0}, lut, reserved);
 }

@@ -42,9 +42,6 @@ Placement place(const std::string& name, ImageSize image, Oversize oversize);
 /// its codes would be seen as other colours.
 void load_lut(Bus& bus, const quant::Lut& lut);
 
-/// The same for a table without a machine around it.
-void load_lut(LutPorts& ports, const quant::Lut& lut);
-
 /// The entry whose colour as seen is nearest to black by squared distance,
 /// the lowest on ties, out of those that are not reserved; it fills the screen
 /// around an image. Throws std::invalid_argument where all are.

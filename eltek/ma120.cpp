@@ -26,16 +26,12 @@ Screen Ma120::scan_out() const {
   return screen;
 }
 
-void Ma120::scan_out_argb(std::span<std::uint32_t> words, std::size_t stride) const {
-  constexpr std::uint32_t kOpaque = 0xFF000000u;
-  std::array<std::uint32_t, 256> seen;
-  seen.fill(kOpaque);
-  if (!blanked)
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      const Rgb8 colour = dac_colour(lut_ports.look_up(static_cast<std::uint8_t>(i)), dac());
-      seen[i] |= std::uint32_t{colour.r} << 16 | std::uint32_t{colour.g} << 8 | colour.b;
-    }
-  scan_out_words({0, 0, kSize}, seen, words, stride);
+std::array<Rgb8, 256> Ma120::seen() const {
+  std::array<Rgb8, 256> colours{};
+  if (blanked) return colours;
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    colours[i] = dac_colour(lut_ports.look_up(static_cast<std::uint8_t>(i)), dac());
+  return colours;
 }
 
 void Ma120::scan_out_words(const Area& area, std::span<const std::uint32_t, 256> words_of,
@@ -52,6 +48,8 @@ void Ma120::scan_out_words(const Area& area, std::span<const std::uint32_t, 256>
   for (std::size_t row = 0; row < height; ++row) {
     frame_buffer.read_row(area.column, area.row + static_cast<int>(row), indices);
     std::uint32_t* const line = &words[row * stride];
+    // Bare, the loop is a third slower where it happens to lie across two lines of the cache.
+#pragma GCC unroll 4
     for (std::size_t i = 0; i < width; ++i) line[i] = words_of[indices[i]];
   }
 }

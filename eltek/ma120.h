@@ -48,16 +48,15 @@ class Ma120 {
   /// Scans out the whole screen.
   Screen scan_out() const;
 
-  /// The same as 0xAARRGGBB words with AA = 255, faster, into memory of somebody else: row j
-  /// begins at word j * stride; what lies between rows stays as it is. Throws
-  /// std::invalid_argument for a stride of less than a row and for too few words.
-  void scan_out_argb(std::span<std::uint32_t> words,
-                     std::size_t stride = FrameBuffer::kColumns) const;
+  /// The colour that each index in memory is seen as, past mask, LUT, DAC and blanking: a pixel of
+  /// index i is scanned out as seen()[i].
+  std::array<Rgb8, 256> seen() const;
 
-  /// Scans out an area by somebody else's table: a pixel whose index in memory is i gives
-  /// words_of[i] (mask, LUT and blanking have no part in it); row j of the area begins at word j *
-  /// stride. Throws std::out_of_range for an area that leaves the screen, std::invalid_argument as
-  /// above.
+  /// Scans out an area by somebody else's table, as one of words made of seen(): a pixel whose
+  /// index in memory is i gives words_of[i] (mask, LUT and blanking have no part in it). Row j of
+  /// the area begins at word j * stride; what lies between rows stays as it is. Throws
+  /// std::out_of_range for an area that leaves the screen, std::invalid_argument for a stride of
+  /// less than a row and for too few words.
   void scan_out_words(const Area& area, std::span<const std::uint32_t, 256> words_of,
                       std::span<std::uint32_t> words, std::size_t stride) const;
 

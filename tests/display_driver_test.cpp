@@ -38,25 +38,26 @@ std::string error_of(ImageSize size) {
 }
 
 TEST(DisplayDriver, LoadsTheLutThroughThePorts) {
-  LutPorts ports;
-  ports.write_address(99);
-  ports.write_data(1);  // whatever state the ports are in
-  load_lut(ports, some_lut());
+  Ma120 monitor;
+  Bus bus(monitor);
+  bus.write(Port::lut_write, 99);
+  bus.write(Port::lut_data, 1);  // whatever state the ports are in
+  load_lut(bus, some_lut());
   for (std::size_t i = 0; i < 256; ++i)
-    EXPECT_EQ(ports.look_up(static_cast<std::uint8_t>(i)), some_lut().entry[i]) << i;
+    EXPECT_EQ(monitor.lut_ports.look_up(static_cast<std::uint8_t>(i)), some_lut().entry[i]) << i;
 }
 
 TEST(DisplayDriver, RefusesALutOfAnotherDac) {
   quant::Lut lut = some_lut();
   lut.dac = {{5, 6, 5}};
-  LutPorts ports;
-  EXPECT_THROW(load_lut(ports, lut), std::invalid_argument);
-  EXPECT_EQ(ports.look_up(1), quant::DacCode{});
-  LutPorts other(lut.dac);
-  EXPECT_THROW(load_lut(other, some_lut()), std::invalid_argument);
+  Ma120 monitor, other(lut.dac);
+  Bus bus(monitor), other_bus(other);
+  EXPECT_THROW(load_lut(bus, lut), std::invalid_argument);
+  EXPECT_EQ(monitor.lut_ports.look_up(1), quant::DacCode{});
+  EXPECT_THROW(load_lut(other_bus, some_lut()), std::invalid_argument);
   for (auto& entry : lut.entry) entry = {31, 63, 31};
-  load_lut(other, lut);
-  EXPECT_EQ(other.look_up(200), (quant::DacCode{31, 63, 31}));
+  load_lut(other_bus, lut);
+  EXPECT_EQ(other.lut_ports.look_up(200), (quant::DacCode{31, 63, 31}));
 }
 
 TEST(DisplayDriver, PlacesTheDefaultImageWhereTheContractSays) {

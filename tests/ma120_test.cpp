@@ -73,7 +73,19 @@ TEST(Ma120, ALineIsARowOfTheScreen) {
   EXPECT_THROW(monitor.scan_line(780, line), std::out_of_range);
 }
 
+TEST(Ma120, SeenIsEachIndexPastMaskLutDacAndBlanking) {
+  Ma120 monitor = with_pattern();
+  for (const std::uint8_t mask : {std::uint8_t{0xFF}, std::uint8_t{0x3C}}) {
+    monitor.lut_ports.write_pixel_mask(mask);
+    for (int i = 0; i < 256; ++i)
+      EXPECT_EQ(monitor.seen()[static_cast<std::size_t>(i)], dac_colour(entry(i & mask))) << i;
+  }
+  monitor.blanked = true;
+  for (const Rgb8 colour : monitor.seen()) EXPECT_EQ(colour, Rgb8{});
+}
+
 TEST(Ma120, WordsAreTheSamePixels) {
+  const auto word = [](Rgb8 c) { return 0xFF000000u + c.r * 65536u + c.g * 256u + c.b; };
   Ma120 monitor = with_pattern();
   constexpr std::size_t kStride = 1030;
   constexpr std::uint32_t kUntouched = 0x12345678;
@@ -81,8 +93,10 @@ TEST(Ma120, WordsAreTheSamePixels) {
     for (const std::uint8_t mask : {std::uint8_t{0xFF}, std::uint8_t{0x3C}}) {
       monitor.blanked = blanked;
       monitor.lut_ports.write_pixel_mask(mask);
+      std::array<std::uint32_t, 256> table;
+      for (std::size_t i = 0; i < table.size(); ++i) table[i] = word(monitor.seen()[i]);
       std::vector<std::uint32_t> words(kStride * 779 + 1024, kUntouched);
-      monitor.scan_out_argb(words, kStride);
+      monitor.scan_out_words({0, 0, Ma120::kSize}, table, words, kStride);
       const Screen screen = monitor.scan_out();
       for (std::size_t i = 0; i < words.size(); ++i) {
         const std::size_t row = i / kStride, column = i % kStride;
@@ -90,16 +104,9 @@ TEST(Ma120, WordsAreTheSamePixels) {
           ASSERT_EQ(words[i], kUntouched);
           continue;
         }
-        const Rgb8 seen = screen.pixels[row * 1024 + column];
-        ASSERT_EQ(words[i], 0xFF000000u + seen.r * 65536u + seen.g * 256u + seen.b) << i;
+        ASSERT_EQ(words[i], word(screen.pixels[row * 1024 + column])) << i;
       }
     }
-  std::vector<std::uint32_t> words(1024 * 780);
-  monitor.scan_out_argb(words);
-  EXPECT_THROW(monitor.scan_out_argb(words, 1025), std::invalid_argument);
-  EXPECT_THROW(monitor.scan_out_argb(words, 1023), std::invalid_argument);
-  EXPECT_THROW(monitor.scan_out_argb(std::span(words).first(1024 * 780 - 1)),
-               std::invalid_argument);
 }
 
 TEST(Ma120, AnAreaIsScannedOutByAnyTable) {
@@ -123,6 +130,11 @@ TEST(Ma120, AnAreaIsScannedOutByAnyTable) {
   for (const Area& area : {Area{-1, 0, {5, 5}}, Area{1020, 0, {5, 5}}, Area{0, 776, {5, 5}},
                            Area{0, -1, {5, 5}}, Area{0, 0, {-1, 5}}, Area{0, 0, {1025, 1}}})
     EXPECT_THROW(monitor.scan_out_words(area, table, words, 20), std::out_of_range);
+  const Area fits{0, 0, {10, 10}};
+  EXPECT_NO_THROW(monitor.scan_out_words(fits, table, words, 10));
+  EXPECT_THROW(monitor.scan_out_words(fits, table, words, 11), std::invalid_argument);
+  EXPECT_THROW(monitor.scan_out_words(fits, table, std::span(words).first(99), 10),
+               std::invalid_argument);
   EXPECT_THROW(monitor.scan_out_words({0, 0, {10, 11}}, table, words, 10), std::invalid_argument);
   EXPECT_THROW(monitor.scan_out_words({0, 0, {10, 2}}, table, words, 9), std::invalid_argument);
 }
@@ -170,6 +182,7 @@ TEST(Ma120, ShowsThroughTheDacThatIsFitted) {
   const Rgb8 seen{99, 49, 90};
   EXPECT_EQ(monitor.scan_out().at(3, 4), seen);
   EXPECT_EQ(monitor.palette()[9], seen);
+  EXPECT_EQ(monitor.seen()[9], seen);
   const IndexedScreen capture = monitor.capture();
   EXPECT_EQ(capture.palette[9], seen);
   EXPECT_EQ(capture.dac, dac);

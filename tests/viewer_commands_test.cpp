@@ -317,5 +317,20 @@ TEST_F(ViewerTest, TheWheelZoomsAboutTheMouse) {
   EXPECT_FALSE(viewer.pixel_pinned());  // that was no click
 }
 
+TEST_F(ViewerTest, TheTubeIsToldByItsOptions) {
+  const auto told = [this](std::optional<eltek::CrtOptions> crt) {
+    ViewerOptions with = options();
+    with.crt = crt;
+    three(with);
+    if (viewer_->crt_on()) type({"C"});  // it starts with the tube that it is given
+    type({"C"});
+    return viewer_->message();
+  };
+  EXPECT_EQ(told({}), "monitor: a tube (phosphors smpte-c, white d65, gamma 2.2)");
+  eltek::CrtOptions crt;
+  crt.tube = {eltek::PhosphorSet::p22_h273, eltek::WhitePoint::k9300, 2};
+  EXPECT_EQ(told(crt), "monitor: a tube (phosphors p22-h273, white 9300k, gamma 2)");
+}
+
 }  // namespace
 }  // namespace sir::viewer

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -124,6 +125,13 @@ TEST_F(Why, APngHasNoRay) {
   EXPECT_THAT(text, HasSubstr("pixel 3,4 · screen 483,370\n"));
   EXPECT_THAT(text, Not(HasSubstr("ray:")));
   EXPECT_THAT(why("3", "4").out, HasSubstr("ray:"));
+}
+
+TEST_F(Why, ASceneInLowerCaseHasItsRay) {
+  std::filesystem::rename(folder / "s.CSG", folder / "s.csg");
+  EXPECT_FALSE(told("3", "4")["ray"].is_null());
+  std::filesystem::remove(folder / "s.csg");
+  EXPECT_TRUE(told("3", "4")["ray"].is_null());
 }
 
 TEST_F(Why, ABrokenSceneLeavesTheRest) {

@@ -53,14 +53,17 @@ class WorkshopTest : public testing::Test {
 
   /// Asks until it is there.
   std::shared_ptr<const viewer::Rendition> rendition(std::size_t number, viewer::Method method) {
-    EXPECT_TRUE(eventually([&] { return workshop().shown(number, method).current; }))
-        << workshop().rendition_error(number, method);
-    return workshop().rendition(number, method);
+    viewer::Workshop::Shown shown;
+    EXPECT_TRUE(eventually([&] {
+      shown = workshop().shown(number, method);
+      return shown.current;
+    })) << workshop().rendition_error(number, method);
+    return shown.rendition;
   }
 
   bool comes_to_say(std::size_t number, viewer::Method method, const std::string& part) {
     return eventually([&] {
-      (void)workshop().rendition(number, method);
+      (void)workshop().shown(number, method);
       return workshop().rendition_error(number, method).find(part) != std::string::npos;
     });
   }

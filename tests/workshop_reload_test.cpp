@@ -218,7 +218,7 @@ TEST_F(WorkshopReloadTest, ALutFileThatChangesIsShownEachTimeAndNothingElseIsMad
   }
   fs::remove(folder / "p.LUT");
   EXPECT_TRUE(comes_to_say(number, Method::lut_file, "is missing"));
-  EXPECT_EQ(workshop().rendition(number, Method::lut_file)->lut, lut) << "the last good one";
+  EXPECT_EQ(workshop().shown(number, Method::lut_file).rendition->lut, lut) << "the last good one";
   folder.write("p.lut", lut_text(lut));
   EXPECT_TRUE(shows(lut));
   EXPECT_EQ(workshop().rendition_error(number, Method::lut_file), "");

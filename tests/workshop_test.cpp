@@ -141,7 +141,7 @@ TEST_F(WorkshopTest, SaysWhatIsWrong) {
   EXPECT_THAT(settled(open("none")).message, HasSubstr("is no image"));
   EXPECT_TRUE(state(0).failed);
   EXPECT_FALSE(state(0).picture);
-  EXPECT_EQ(workshop().rendition(0, Method::hsv_median), nullptr);
+  EXPECT_EQ(workshop().shown(0, Method::hsv_median).rendition, nullptr);
 
   write_planes(folder / "s", random_planes({3, 3}, 1));
   EXPECT_THAT(settled(open("s")).message, HasSubstr("--size WxH"));
@@ -192,7 +192,7 @@ TEST_F(WorkshopTest, ItsEndDoesNotWaitForARender) {
   test::write_slow_scene(folder, "s");
   const std::size_t number = open("s");
   ASSERT_TRUE(eventually([&] { return state(number).picture != nullptr; }));
-  (void)workshop().rendition(number, Method::best);
+  (void)workshop().shown(number, Method::best);
   close();
   EXPECT_LT(wakes, 100);
 }
@@ -210,10 +210,11 @@ TEST_F(WorkshopTest, RenditionsAreThoseOfMakeRendition) {
     EXPECT_EQ(made->lut, expected.lut) << name(method);
     EXPECT_EQ(made->indices, expected.indices);
     EXPECT_EQ(made->seen, expected.seen);
-    EXPECT_TRUE(workshop().rendition_is_current(number, method));
-    EXPECT_EQ(workshop().shown(number, method).picture, picture);
+    const auto shown = workshop().shown(number, method);
+    EXPECT_TRUE(shown.current);
+    EXPECT_EQ(shown.picture, picture);
   }
-  EXPECT_EQ(workshop().rendition(number, Method::true_colour), nullptr);
+  EXPECT_EQ(workshop().shown(number, Method::true_colour).rendition, nullptr);
 }
 
 TEST_F(WorkshopTest, AMissingOrBadLutFileIsSaid) {
@@ -221,8 +222,9 @@ TEST_F(WorkshopTest, AMissingOrBadLutFileIsSaid) {
   const std::size_t number = open("p.png");
   (void)settled(number);
   EXPECT_TRUE(comes_to_say(number, Method::lut_file, "p.LUT: is missing"));
-  EXPECT_FALSE(workshop().rendition_is_current(number, Method::lut_file));
-  EXPECT_EQ(workshop().rendition(number, Method::lut_file), nullptr);
+  const auto shown = workshop().shown(number, Method::lut_file);
+  EXPECT_FALSE(shown.current);
+  EXPECT_EQ(shown.rendition, nullptr);
   EXPECT_FALSE(state(number).failed) << "the picture is good";
   folder.write("p.LUT", "1 2 3 4\n");
   EXPECT_TRUE(comes_to_say(number, Method::lut_file, "p.LUT:1"));

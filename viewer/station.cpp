@@ -39,11 +39,10 @@ std::optional<Place> Station::seen_pixel(Place image) const {
 }
 
 IndexWords Station::seen_words(const eltek::Crt* crt) const {
-  std::array<Rgb8, 256> palette{};
-  if (!monitor_.blanked) palette = monitor_.palette();
-  if (crt != nullptr) palette = crt->palette(palette, monitor_.dac());
+  std::array<Rgb8, 256> seen = monitor_.seen();
+  if (crt != nullptr) seen = crt->palette(seen, monitor_.dac());
   IndexWords words;
-  for (std::size_t i = 0; i < words.size(); ++i) words[i] = argb(palette[i & mask()]);
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = argb(seen[i]);
   return words;
 }
 

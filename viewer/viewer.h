@@ -75,7 +75,8 @@ class Viewer {
   /// Takes in what the workshop has ready. Returns whether anything is to be drawn anew.
   bool refresh();
 
-  /// Whether something is to be drawn anew; draw_picture() does not change that, drawn() does.
+  /// Whether something is to be drawn anew. picture() does not change that; whoever draws calls
+  /// drawn(), after which a change makes it stale again.
   bool stale() const { return stale_; }
   void drawn() { stale_ = false; }
 

@@ -1,6 +1,8 @@
 // What the viewer has to say: whether it is busy, the inspector's lines, the trace's records.
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "eltek/display_driver.h"
 #include "tracer/error.h"
 #include "viewer/viewer.h"
@@ -82,10 +84,8 @@ std::vector<std::string> Viewer::tally() const {
 
 std::string Viewer::crt_text() const {
   const eltek::TubeOptions& tube = crt_.tube().options();
-  std::string gamma = std::to_string(tube.gamma);
-  gamma.erase(gamma.find_last_not_of('0') + 1);
-  return "phosphors " + std::string(eltek::phosphors(tube.phosphors).name) + ", white " +
-         std::string(eltek::white(tube.white).name) + ", gamma " + gamma;
+  return fmt::format("phosphors {}, white {}, gamma {:g}", eltek::phosphors(tube.phosphors).name,
+                     eltek::white(tube.white).name, tube.gamma);
 }
 
 void Viewer::replay(eltek::Trace trace, std::string name) {

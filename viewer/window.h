@@ -1,4 +1,4 @@
-// The viewer in a window: one of the three users of SDL2 (thesis 3.5).
+// The viewer in a window (thesis 3.5), by SDL2, which glass, panel* and sdl_* use with it.
 // Present only in builds with SIR_WITH_SDL.
 #pragma once
 

@@ -107,12 +107,6 @@ class Workshop::Impl {
     return {made->picture, made->rendition, current};
   }
 
-  bool is_current(std::size_t number, Method method) const {
-    Image& image = this->image(number);
-    const Ingredients of = ingredients(image, method);
-    return !of.empty() && image.shown[method].is_current(of);
-  }
-
   std::string error(std::size_t number, Method method) const {
     return image(number).shown[method].error();
   }
@@ -314,14 +308,6 @@ Workshop::State Workshop::state(std::size_t number) const { return impl_->state(
 
 Workshop::Shown Workshop::shown(std::size_t number, Method method) {
   return impl_->shown(number, method);
-}
-
-std::shared_ptr<const Rendition> Workshop::rendition(std::size_t number, Method method) {
-  return impl_->shown(number, method).rendition;
-}
-
-bool Workshop::rendition_is_current(std::size_t number, Method method) const {
-  return impl_->is_current(number, method);
 }
 
 std::string Workshop::rendition_error(std::size_t number, Method method) const {

@@ -67,10 +67,6 @@ class Workshop {
   /// before, which may be of another picture or another LUT file. Nothing for Method::true_colour,
   /// which needs no rendition.
   Shown shown(std::size_t number, Method method);
-  std::shared_ptr<const Rendition> rendition(std::size_t number, Method method);
-
-  /// Whether rendition() would return that of the present picture and LUT file; asks for nothing.
-  bool rendition_is_current(std::size_t number, Method method) const;
 
   /// Why the latest attempt gave nothing, as where there is no LUT file; else "".
   std::string rendition_error(std::size_t number, Method method) const;
