@@ -17,7 +17,7 @@ bool field(const char* label, double* values, int count, double speed = 0.01) {
 }  // namespace
 
 void ModelPanel::draw_view(ModelDesk& desk) {
-  DeskView view = desk.view();
+  ViewSettings view = desk.view();
   const auto box = [this](const char* label, bool& value) {
     ImGui::Checkbox(label, &value);
     note(label);
