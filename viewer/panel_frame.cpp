@@ -62,6 +62,7 @@ void PanelFrame::draw(const std::function<void()>& parts) {
   parts();
   ImGui::End();
   ImGui::Render();
+  input_.end_frame();
   // The backend leaves the density of the pixels to the renderer's scale.
   SDL_RenderSetScale(renderer_, io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y);
   ImGui_ImplSDLRenderer_RenderDrawData(ImGui::GetDrawData());
