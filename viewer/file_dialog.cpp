@@ -33,7 +33,8 @@ void FileDialog::draw(const Note& note) {
   const ImGuiIO& io = ImGui::GetIO();
   ImGui::SetNextWindowPos({io.DisplaySize.x / 2, io.DisplaySize.y / 2}, ImGuiCond_Always,
                           {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(kWidth, io.DisplaySize.x), std::min(kHeight, io.DisplaySize.y)});
+  ImGui::SetNextWindowSize(
+      {std::min(kWidth, io.DisplaySize.x), std::min(kHeight, io.DisplaySize.y)});
   bool open = true;
   if (!ImGui::BeginPopupModal(title.c_str(), &open,
                               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {

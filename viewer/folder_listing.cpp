@@ -18,7 +18,7 @@ bool has_one_of(const fs::path& file, const std::vector<std::string>& suffixes) 
   });
 }
 
-fs::path absolute(const fs::path& path) {
+fs::path plain_path(const fs::path& path) {
   std::error_code failure;
   const fs::path whole = fs::absolute(path, failure).lexically_normal();
   // "a/" is the folder a, whose parent is not a.
@@ -28,7 +28,7 @@ fs::path absolute(const fs::path& path) {
 }  // namespace
 
 FolderListing list_folder(const fs::path& folder, const std::vector<std::string>& suffixes) {
-  FolderListing listing{absolute(folder), {}, {}};
+  FolderListing listing{plain_path(folder), {}, {}};
   std::error_code failure;
   fs::directory_iterator at(listing.folder, failure);
   for (; !failure && at != fs::directory_iterator(); at.increment(failure)) {
@@ -68,9 +68,10 @@ fs::path named_in(const FolderListing& listing, const std::string& typed) {
     if (entry.shown == typed) return listing.folder / entry.name;
   if (typed == "~" || typed.starts_with("~/")) {
     const char* home = std::getenv("HOME");
-    if (home != nullptr) return absolute(fs::path(home) / typed.substr(std::min<std::size_t>(2, typed.size())));
+    if (home != nullptr)
+      return plain_path(fs::path(home) / typed.substr(std::min<std::size_t>(2, typed.size())));
   }
-  return absolute(listing.folder / typed);
+  return plain_path(listing.folder / typed);
 }
 
 fs::path with_one_of(const fs::path& file, const std::vector<std::string>& suffixes) {
@@ -82,8 +83,8 @@ fs::path as_written(const fs::path& file) {
   std::error_code failure;
   const fs::path here = fs::current_path(failure);
   if (failure) return file;
-  const fs::path near = absolute(file).lexically_relative(here);
-  return near.empty() || *near.begin() == ".." ? absolute(file) : near;
+  const fs::path near = plain_path(file).lexically_relative(here);
+  return near.empty() || *near.begin() == ".." ? plain_path(file) : near;
 }
 
 }  // namespace sir::viewer

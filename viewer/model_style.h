@@ -6,9 +6,9 @@
 
 namespace sir::viewer {
 
-inline constexpr ImVec4 kAlarm{1.00f, 0.48f, 0.40f, 1.00f};   ///< what is refused
-inline constexpr ImVec4 kAccent{0.45f, 0.71f, 0.98f, 1.00f};  ///< what is selected, or leads on
-inline constexpr ImVec4 kQuiet{0.60f, 0.62f, 0.66f, 1.00f};   ///< what is said besides
+inline const ImVec4 kAlarm{1.00f, 0.48f, 0.40f, 1.00f};   ///< what is refused
+inline const ImVec4 kAccent{0.45f, 0.71f, 0.98f, 1.00f};  ///< what is selected, or leads on
+inline const ImVec4 kQuiet{0.60f, 0.62f, 0.66f, 1.00f};   ///< what is said besides
 
 /// Around the picture; darker than the panel, lighter than the black of a background.
 inline constexpr unsigned char kSurround = 26;
