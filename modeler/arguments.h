@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "modeler/commands.h"
 #include "modeler/interpreter.h"
 
@@ -14,8 +16,11 @@ namespace sir::modeler {
 /// Every kind of word that is missing or wrong throws CommandError, which shows the command's form.
 class Interpreter::Arguments {
  public:
-  Arguments(const CommandInfo& info, std::vector<std::string> words)
-      : info_(info), words_(std::move(words)) {}
+  /// `text` is the whole command, as it is remembered.
+  Arguments(const CommandInfo& info, std::vector<std::string> words, std::string text)
+      : info_(info), words_(std::move(words)), text_(std::move(text)) {}
+
+  const std::string& text() const { return text_; }
 
   std::size_t left() const { return words_.size() - at_; }
   const std::string& next() {
@@ -25,8 +30,13 @@ class Interpreter::Arguments {
   const std::string& peek() const { return words_[at_]; }
 
   double number();
+  bool number_follows() const;
+  glm::dvec3 vector();
   std::int64_t count(const char* what);
   std::vector<double> numbers();
+
+  /// Three numbers, or one for all three where no other follows it; none of them negative.
+  glm::dvec3 colour(const char* what);
 
   /// Refuses words that are left over.
   void end() const {
@@ -37,6 +47,7 @@ class Interpreter::Arguments {
  private:
   const CommandInfo& info_;
   std::vector<std::string> words_;  // the command first
+  std::string text_;
   std::size_t at_ = 1;
 };
 

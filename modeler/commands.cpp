@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "modeler/command_error.h"
+#include "modeler/look_words.h"
 #include "modeler/nearest_name.h"
 #include "tracer/text_file.h"
 
@@ -52,15 +53,54 @@ constexpr CommandInfo kCommands[] = {
      "Writes a solid: FILE.CSG, or where FILE ends in .model the commands that make it.", "sf"},
     {Command::load, "load", "carrega", "NAME FILE", "Reads a solid that was saved.", "nf"},
     {Command::show, "show", "mostra", "NAME [FILE.png] [--shaded] [--scene BASE] [--size WxH]",
-     "The silhouette, or the solid shaded, as a picture or in characters; from the front, right "
-     "and above, or as BASE.CAM says (and BASE.LUZ and BASE.SUP, shaded).",
+     "The silhouette, or the solid shaded, as a picture or in characters: as BASE.CAM says (and "
+     "BASE.LUZ and BASE.SUP, shaded), else as camera, light and surface have been set, else from "
+     "the front, right and above.",
      "sf"},
     {Command::inspect, "inspect", "verifica",
      "NAME [bounds|matrices|surfaces|tree|volume|warnings]",
      "Tells what is known of a solid, or one part of it.", "sa"},
+    {Command::camera, "camera", "câmera",
+     "[window W H] [target X Y Z] [normal X Y Z] [distance D] [up X Y Z] [focal F|auto] "
+     "[parallel|perspective] | load FILE | save FILE | frame [NAME] | turn RIGHT DOWN | "
+     "pan RIGHT DOWN | zoom STEPS | auto",
+     "The camera, as in a .CAM: what is not named stays. frame has all, or one solid, in its "
+     "window; turn goes around the target and pan moves it, by parts of the picture; zoom makes "
+     "the window a tenth smaller a step; auto has it made up again. Alone, tells it.",
+     "C"},
+    {Command::light, "light", "luz",
+     "background R G B | ambient R G B | add X Y Z R G B | move N X Y Z | colour N R G B | "
+     "delete N | set [background R G B] [ambient R G B] [add X Y Z R G B]... | load FILE | "
+     "save FILE | auto",
+     "The light, as in a .LUZ; N counts from 1, one number does for three equal ones. set says all "
+     "of it: what is not named is black; auto has it made up again. Alone, tells it.",
+     "L"},
+    {Command::surfaces, "surfaces", "superfícies", "load FILE | save FILE | delete NUMBER",
+     "All surfaces that are described, as in a .SUP; load puts those of the file in their place. "
+     "Alone, tells them.",
+     "U"},
+    {Command::surface, "surface", "superfície",
+     "NUMBER [name TEXT] [colour R G B] [ambient R G B] [diffuse R G B] [specular KS] "
+     "[exponent N] [transmission KT] [index IR] [plain | chequer NU NV] [odd|even ...]",
+     "Describes a surface: what is not named stays, or is as it is made up. colour is ambient and "
+     "diffuse in one; behind odd, all is of the odd cells of a chequer, behind even of the others. "
+     "A number alone tells it.",
+     "-F"},
+    {Command::view, "view", "vista", "[ghosts|axes|bounds|grid|silhouette|alone on|off]",
+     "What the window shows besides the solids: what differences take away, lines, or the selected "
+     "solid alone. Alone, tells it.",
+     "VO"},
+    {Command::select, "select", "seleciona", "[NAME [PLACE [FACE]]]",
+     "What the window has selected: a solid, the node at a place of its tree (0 the solid itself, "
+     "each node before its parts, the left one first), a face of a primitive. Alone, nothing.",
+     "s--"},
     {Command::list, "list", "lista", "", "The solids that there are.", ""},
-    {Command::undo, "undo", "anula", "", "Takes back the last command that changed the list.", ""},
-    {Command::redo, "redo", "refaz", "", "Does again what was taken back.", ""},
+    {Command::script, "script", "roteiro", "[save FILE]",
+     "The commands that make all that is there now, told or written to FILE.model.", "T"},
+    {Command::undo, "undo", "anula", "[camera]",
+     "Takes back the last command that changed solids, light or surfaces; or the camera's last.",
+     "h"},
+    {Command::redo, "redo", "refaz", "[camera]", "Does again what was taken back.", "h"},
     {Command::help, "help", "ajuda", "[COMMAND]", "What there is to be said of a command, or all.",
      "c"},
     {Command::quit, "quit", "sai", "", "Ends the session.", ""},
@@ -133,6 +173,16 @@ template PrimitiveKind value_of(std::span<const Word<PrimitiveKind>>, std::strin
 template Operation value_of(std::span<const Word<Operation>>, std::string_view, std::string_view);
 template Step::Kind value_of(std::span<const Word<Step::Kind>>, std::string_view, std::string_view);
 template Aspect value_of(std::span<const Word<Aspect>>, std::string_view, std::string_view);
+template CameraWord value_of(std::span<const Word<CameraWord>>, std::string_view, std::string_view);
+template LightWord value_of(std::span<const Word<LightWord>>, std::string_view, std::string_view);
+template SurfacesWord value_of(std::span<const Word<SurfacesWord>>, std::string_view,
+                               std::string_view);
+template SurfaceWord value_of(std::span<const Word<SurfaceWord>>, std::string_view,
+                              std::string_view);
+template bool ViewSettings::*value_of(std::span<const Word<bool ViewSettings::*>>, std::string_view,
+                                      std::string_view);
+template bool value_of(std::span<const Word<bool>>, std::string_view, std::string_view);
+template ScriptWord value_of(std::span<const Word<ScriptWord>>, std::string_view, std::string_view);
 
 std::string help_text(const CommandInfo& info) {
   return fmt::format("{}{}{}  ({})\n  {}\n", info.name, info.form.empty() ? "" : " ", info.form,
@@ -142,7 +192,7 @@ std::string help_text(const CommandInfo& info) {
 std::string help_text() {
   std::string text;
   for (const CommandInfo& info : kCommands)
-    text += fmt::format("{:<10} {:<10}  {}\n", info.name, info.portuguese, info.form);
+    text += fmt::format("{:<10} {:<11}  {}\n", info.name, info.portuguese, info.form);
   return text +
          "Names with white space or # go in quotes; # begins a comment. help COMMAND says more.\n";
 }

@@ -32,7 +32,14 @@ enum class Command : std::uint8_t {
   load,
   show,
   inspect,
+  camera,
+  light,
+  surfaces,
+  surface,
+  view,
+  select,
   list,
+  script,
   undo,
   redo,
   help,
@@ -47,7 +54,8 @@ struct CommandInfo {
   std::string_view help;  ///< what it does, in a sentence or two
   /// What can stand in each place, for completion; the last goes on: n a new name, s a solid, k a
   /// kind, o an operation, t a transform, x an axis, f a file, a an aspect, c a command, - a
-  /// number.
+  /// number; C, L, U, F, V, T words of camera, light, surfaces, surface, view, script, and what
+  /// stands behind them; h the word camera.
   std::string_view places;
 };
 

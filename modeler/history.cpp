@@ -4,35 +4,32 @@
 
 namespace sir::modeler {
 
-void History::commit(Lsu& solids, std::string command, Changes changes) {
+void History::commit(Lsu& solids, Looks& looks, Record record) {
   records_.resize(done_);
-  records_.push_back({std::move(command), std::move(changes)});
-  solids.apply(records_.back().changes);
-  for (const Change& change : records_.back().changes)
-    if (change.before) change.before->solid.forget_tree();
-  ++done_;
+  records_.push_back(std::move(record));
+  redo(solids, looks);
 }
 
-const std::string& History::undo(Lsu& solids) {
+void History::add(Note note) {
+  (done_ == 0 ? first_notes_ : records_[done_ - 1].notes).push_back(std::move(note));
+}
+
+const History::Record& History::undo(Lsu& solids, Looks& looks) {
   const Record& record = records_[--done_];
+  revert(record.look_changes, looks);
   solids.revert(record.changes);
   for (const Change& change : record.changes)
     if (change.after) change.after->solid.forget_tree();
-  return record.command;
+  return record;
 }
 
-const std::string& History::redo(Lsu& solids) {
+const History::Record& History::redo(Lsu& solids, Looks& looks) {
   const Record& record = records_[done_++];
   solids.apply(record.changes);
+  apply(record.look_changes, looks);
   for (const Change& change : record.changes)
     if (change.before) change.before->solid.forget_tree();
-  return record.command;
-}
-
-std::vector<std::string> History::script() const {
-  std::vector<std::string> commands;
-  for (std::size_t i = 0; i < done_; ++i) commands.push_back(records_[i].command);
-  return commands;
+  return record;
 }
 
 }  // namespace sir::modeler

@@ -3,35 +3,54 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "modeler/looks.h"
 #include "modeler/lsu.h"
 
 namespace sir::modeler {
 
-/// The commands that changed the list, each with what it changed: so many words a command, however
-/// long the list is. Solids that a command took away live until it can no longer be undone.
+/// The commands that changed solids, light or surfaces, each with what it changed: so many words a
+/// command, however long the lists are. Solids that a command took away live until it can no longer
+/// be undone.
 class History {
  public:
+  /// A command that changed nothing here, but wrote a file, say. Undo and redo pass over it.
+  struct Note {
+    std::string command;
+    bool uses_camera = false;
+    std::optional<CameraFile> camera;  ///< the one it used; none: none was set
+  };
+
+  struct Record {
+    std::string command;
+    Changes changes;
+    LookChanges look_changes;
+    std::vector<Note> notes;  ///< what was done after it
+  };
+
   /// Does it, and remembers it; what had been undone can no longer be redone.
-  void commit(Lsu& solids, std::string command, Changes changes);
+  void commit(Lsu& solids, Looks& looks, Record record);
+
+  /// Hangs a note on the last command that is in force.
+  void add(Note note);
 
   bool can_undo() const { return done_ > 0; }
   bool can_redo() const { return done_ < records_.size(); }
 
-  /// Where there is something to undo or redo. Returns the command.
-  const std::string& undo(Lsu& solids);
-  const std::string& redo(Lsu& solids);
+  /// Where there is something to undo or redo. Returns what it was.
+  const Record& undo(Lsu& solids, Looks& looks);
+  const Record& redo(Lsu& solids, Looks& looks);
 
-  /// The commands that are not undone, in order: a script that makes what is there now.
-  std::vector<std::string> script() const;
+  /// The commands that are not undone, in order, and the notes before the first of them.
+  std::span<const Record> in_force() const { return {records_.data(), done_}; }
+  const std::vector<Note>& first_notes() const { return first_notes_; }
 
  private:
-  struct Record {
-    std::string command;
-    Changes changes;
-  };
+  std::vector<Note> first_notes_;
   std::vector<Record> records_;
   std::size_t done_ = 0;  // the records before it are in force
 };

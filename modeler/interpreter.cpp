@@ -13,34 +13,6 @@
 
 namespace sir::modeler {
 
-void Interpreter::Arguments::fail() const {
-  throw CommandError(fmt::format("wrong number of words; it is {}{}{}{}", info_.name,
-                                 info_.form.empty() ? "" : " ", info_.form,
-                                 words_.size() > 2 ? " (a name with spaces goes in quotes)" : ""));
-}
-
-double Interpreter::Arguments::number() {
-  const std::string& word = next();
-  double value = 0;
-  if (!parse_number(word, value)) throw CommandError(in_quotes(word) + " is not a finite number");
-  return value;
-}
-
-std::int64_t Interpreter::Arguments::count(const char* what) {
-  const std::string& word = next();
-  std::int64_t value = 0;
-  if (!parse_count(word, value))
-    throw CommandError(std::string(what) + " " + in_quotes(word) +
-                       " is not a non-negative integer");
-  return value;
-}
-
-std::vector<double> Interpreter::Arguments::numbers() {
-  std::vector<double> values;
-  while (left() > 0) values.push_back(number());
-  return values;
-}
-
 namespace {
 
 int axis_of(const std::string& word) {
@@ -84,10 +56,9 @@ Reply Interpreter::execute(std::string_view line) {
                        (nearest.found() ? "; did you mean " + nearest.name() + "?"
                                         : "; help lists what there is"));
   }
-  Arguments arguments(*info, std::move(words));
+  Arguments arguments(*info, std::move(words), std::string(without_comment(line)));
   const auto commit = [&](Changes changes, std::string done) {
-    history_.commit(solids_, std::string(without_comment(line)), std::move(changes));
-    return Reply{{}, std::move(done), {}, false};
+    return record({arguments.text(), std::move(changes), {}, {}}, std::move(done));
   };
   switch (info->command) {
     case Command::create: {
@@ -176,14 +147,21 @@ Reply Interpreter::execute(std::string_view line) {
     case Command::save: {
       const std::string name = arguments.next(), file = arguments.next();
       arguments.end();
-      return save(name, file);
+      return noted(arguments, save(name, file));
     }
     case Command::show: return show(arguments);
     case Command::inspect: return inspect(arguments);
     case Command::help: return help(arguments);
     case Command::list: arguments.end(); return list();
-    case Command::undo: arguments.end(); return take_back(false);
-    case Command::redo: arguments.end(); return take_back(true);
+    case Command::camera: return camera_command(arguments);
+    case Command::light: return light_command(arguments);
+    case Command::surfaces: return surfaces_command(arguments);
+    case Command::surface: return surface_command(arguments);
+    case Command::view: return view_command(arguments);
+    case Command::select: return select_command(arguments);
+    case Command::script: return script_command(arguments);
+    case Command::undo: return take_back(arguments, false);
+    case Command::redo: return take_back(arguments, true);
     case Command::quit: {
       arguments.end();
       Reply reply;
@@ -227,11 +205,48 @@ Changes Interpreter::transform(Step::Kind kind, const std::string& name, Argumen
   return {};
 }
 
-Reply Interpreter::take_back(bool again) {
+Reply Interpreter::take_back(Arguments& words, bool again) {
+  if (words.left() > 0) {
+    if (!is_word(words.next(), "camera", "câmera")) words.fail();
+    words.end();
+    return take_camera_back(again);
+  }
   if (again ? !history_.can_redo() : !history_.can_undo())
     throw CommandError(again ? "there is nothing to redo" : "there is nothing to undo");
-  const std::string& command = again ? history_.redo(solids_) : history_.undo(solids_);
-  return {{}, (again ? "done again: " : "undone: ") + command, {}, false};
+  const History::Record& record =
+      again ? history_.redo(solids_, looks_) : history_.undo(solids_, looks_);
+  follow(record.changes, !again);
+  return {{}, (again ? "done again: " : "undone: ") + record.command, {}, false};
+}
+
+Reply Interpreter::record(History::Record record, std::string done) {
+  history_.commit(solids_, looks_, std::move(record));
+  follow(history_.in_force().back().changes, false);
+  return {{}, std::move(done), {}, false};
+}
+
+Reply Interpreter::noted(const Arguments& words, Reply reply) {
+  history_.add({words.text(), false, {}});
+  return reply;
+}
+
+Reply Interpreter::noted(const Arguments& words, Reply reply,
+                         const std::optional<CameraFile>& used) {
+  history_.add({words.text(), true, used});
+  return reply;
+}
+
+// The place where the selected solid stands holds another, of the same form, or none.
+void Interpreter::follow(const Changes& changes, bool back) {
+  if (!selection_) return;
+  for (const Change& change : changes) {
+    const EntryPtr& before = back ? change.after : change.before;
+    const EntryPtr& after = back ? change.before : change.after;
+    if (!before || before->name != selection_->solid) continue;
+    if (after) selection_->solid = after->name;
+    else selection_.reset();
+    return;
+  }
 }
 
 std::vector<std::string> Interpreter::unsaved() const {

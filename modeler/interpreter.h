@@ -2,15 +2,19 @@
 // comes from a script, the prompt or a window (the thesis had menus, 3.2).
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "modeler/camera_history.h"
 #include "modeler/commands.h"
 #include "modeler/history.h"
+#include "modeler/looks.h"
 #include "modeler/lsu.h"
 #include "tracer/planes.h"
 
@@ -35,7 +39,8 @@ struct Outlet {
   std::stop_token stop;  ///< ends a long show; no command is begun after it
 };
 
-/// Solids, what was done to them, and the commands that do it. For one thread.
+/// Solids, how they are looked at, what was done to them, and the commands that do it. For one
+/// thread.
 class Interpreter {
  public:
   explicit Interpreter(Outlet outlet = {});
@@ -46,31 +51,81 @@ class Interpreter {
 
   const Lsu& solids() const { return solids_; }
 
-  /// The commands in force: a script that makes what is there now.
-  std::vector<std::string> script() const { return history_.script(); }
+  /// Camera, light and surfaces that were set by commands.
+  const Looks& looks() const { return looks_; }
+
+  /// The camera that was set, else one that has in its window all that there was when it was first
+  /// asked for.
+  CameraFile camera() const;
+
+  /// The light that was set, else the one that is made up for camera().
+  Lighting lighting() const;
+
+  /// What is to be seen, and the node, or face, that is selected: always one that is there.
+  const ViewSettings& view() const { return view_; }
+  const std::optional<Selection>& selection() const { return selection_; }
+
+  /// A script that makes what is there now: the commands in force that changed solids, light and
+  /// surfaces, among them those that wrote files, and at the end a line for the camera, lines for
+  /// the view and one for the selection, where they are not as at first.
+  std::vector<std::string> script() const;
+
+  /// How many commands `undo` can take back. Those for camera, view and selection are not among
+  /// them: who edits, goes around to look and then undoes wants the edit undone.
+  std::size_t undoable() const { return history_.in_force().size(); }
+
+  /// A hand moves the camera: until it lets go, `undo camera` takes back all its commands as one.
+  void hold_camera() { camera_history_.hold(); }
+  void let_go_of_camera() { camera_history_.let_go(); }
 
   /// Names of the solids that have changed since they were saved, or never were.
   std::vector<std::string> unsaved() const;
 
   /// A file that is being read, which no command may overwrite.
-  void protect(std::filesystem::path file) { protected_.push_back(std::move(file)); }
+  void protect(const std::filesystem::path& file);
+
+  /// A script that has been read to its end: `script save` may overwrite it, nothing else.
+  void release(const std::filesystem::path& file);
 
  private:
   class Arguments;
   Changes transform(Step::Kind kind, const std::string& name, Arguments& words) const;
   Reply save(const std::string& name, const std::filesystem::path& file);
   Changes load(const std::string& name, const std::filesystem::path& file) const;
-  Reply show(Arguments& words) const;
+  Reply show(Arguments& words);
   Reply inspect(Arguments& words) const;
   Reply list() const;
-  Reply take_back(bool again);
   Reply help(Arguments& words) const;
+  Reply take_back(Arguments& words, bool again);
+
+  Reply camera_command(Arguments& words);
+  CameraFile described_camera(Arguments& words) const;
+  Reply set_camera(std::optional<CameraFile> camera, std::string done);
+  Reply take_camera_back(bool again);
+  Reply light_command(Arguments& words);
+  Reply change_light(const Arguments& words, LookChange change, std::string done);
+  Reply surfaces_command(Arguments& words);
+  Reply surface_command(Arguments& words);
+  Reply view_command(Arguments& words);
+  Reply select_command(Arguments& words);
+  Reply script_command(Arguments& words);
+
+  Reply record(History::Record record, std::string done);
+  Reply noted(const Arguments& words, Reply reply);
+  Reply noted(const Arguments& words, Reply reply, const std::optional<CameraFile>& used);
+  void follow(const Changes& changes, bool back);
   void require_writable(const std::filesystem::path& file) const;
 
   Outlet outlet_;
   Lsu solids_;
+  Looks looks_;
   History history_;
+  CameraHistory camera_history_;
+  ViewSettings view_;
+  std::optional<Selection> selection_;
+  mutable std::optional<CameraFile> made_up_camera_;  // once it has been asked for
   std::vector<std::filesystem::path> protected_;
+  std::vector<std::filesystem::path> released_;  // of those
 };
 
 }  // namespace sir::modeler

@@ -4,6 +4,7 @@
 #include "modeler/command_error.h"
 #include "modeler/csg.h"
 #include "modeler/interpreter.h"
+#include "modeler/look_files.h"
 #include "modeler/operations.h"
 #include "modeler/script_text.h"
 #include "tracer/atomic_file.h"
@@ -18,13 +19,14 @@ using Path = std::filesystem::path;
 
 std::string suffix_of(const Path& file) { return fold_keyword(file.extension().string()); }
 
-// A pipe or a device, such as /dev/stdout, has its name already.
-bool is_device(const Path& file) {
-  std::error_code ignored;
-  return std::filesystem::is_other(file, ignored);
+}  // namespace
+
+void Interpreter::protect(const Path& file) {
+  protected_.push_back(file);
+  std::erase(released_, file);
 }
 
-}  // namespace
+void Interpreter::release(const Path& file) { released_.push_back(file); }
 
 void Interpreter::require_writable(const Path& file) const {
   for (const Path& input : protected_) refuse_same_file(file, input);
@@ -57,9 +59,7 @@ Reply Interpreter::save(const std::string& name, const Path& given) {
 }
 
 Changes Interpreter::load(const std::string& name, const Path& given) const {
-  std::error_code ignored;
-  const bool there = std::filesystem::is_regular_file(given, ignored) || suffix_of(given) == ".csg";
-  TextFile file(there ? given : find_by_suffix(given, "CSG"));
+  TextFile file = file_to_read(given, "CSG");
   return insert(solids_, name, from_csg(read_csg(file)));
 }
 

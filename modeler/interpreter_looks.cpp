@@ -1,4 +1,4 @@
-// The commands that change nothing: show, inspect, list, help (thesis 3.2.2.9 to 3.2.2.11).
+// The commands that change nothing here: show, inspect, list, help (thesis 3.2.2.9 to 3.2.2.11).
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -53,11 +53,13 @@ std::string base_of(std::string name) {
   return name;
 }
 
-CameraFile camera_for(const Node& tree, const std::string& base, double aspect) {
+CameraFile camera_for(const Node& tree, const std::string& base,
+                      const std::optional<CameraFile>& given, double aspect) {
   if (!base.empty()) {
     TextFile file = scene_file(base, "CAM");
     return read_camera(file);
   }
+  if (given) return *given;
   const glm::dvec3 extent = tree.bounds.high - tree.bounds.low;
   if (is_empty(tree.bounds) || !std::isfinite(extent.x + extent.y + extent.z))
     throw CommandError("the solid's bounds are empty: there is nothing to look at");
@@ -73,14 +75,12 @@ void take_looks(const std::string& base, Scene& scene) {
   }
   if (!existing_by_suffix(base, "SUP")) return;
   TextFile file = scene_file(base, "SUP");
-  for (const Surface& described : read_surfaces(file))
-    for (Surface& surface : scene.surfaces)
-      if (surface.number == described.number) surface = described;
+  dress(scene, std::nullopt, read_surfaces(file));
 }
 
 }  // namespace
 
-Reply Interpreter::show(Arguments& words) const {
+Reply Interpreter::show(Arguments& words) {
   ShowWords wanted;
   wanted.name = words.next();
   while (words.left() > 0) {
@@ -105,10 +105,11 @@ Reply Interpreter::show(Arguments& words) const {
   if (wanted.size.width == 0)
     wanted.size = to_file ? ImageSize{} : ImageSize{2 * columns, 2 * columns * 3 / 4};
   const double aspect = double(wanted.size.width) / wanted.size.height;
-  Scene scene = scene_of(tree, camera_for(tree, wanted.base, aspect));
+  Scene scene = scene_of(tree, camera_for(tree, wanted.base, looks_.camera, aspect));
   Planes picture;
   if (wanted.shaded) {
     if (!wanted.base.empty()) take_looks(wanted.base, scene);
+    else dress(scene, looks_.lighting, looks_.surface_list());
     RenderOptions options;
     options.size = wanted.size;
     picture = render(scene, options, {}, outlet_.stop).planes;
@@ -120,9 +121,9 @@ Reply Interpreter::show(Arguments& words) const {
   if (to_file) {
     outlet_.write_picture(wanted.file, picture);
     reply.done = "wrote " + wanted.file;
-  } else {
-    reply.text = wanted.shaded ? outlet_.draw(picture, columns) : in_dots(picture);
+    return wanted.base.empty() ? noted(words, reply, looks_.camera) : noted(words, reply);
   }
+  reply.text = wanted.shaded ? outlet_.draw(picture, columns) : in_dots(picture);
   return reply;
 }
 

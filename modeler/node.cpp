@@ -70,6 +70,19 @@ NodePtr renumbered(const Node& node, FileSlot slot) {
   return make_node(node.name, *node.composite(), slot);
 }
 
+const Node* node_at(const Node& tree, std::size_t place) {
+  if (place >= tree.count) return nullptr;
+  const Node* node = &tree;
+  while (place > 0) {
+    const Composite& composite = *node->composite();
+    --place;
+    const bool left = place < composite.left->count;
+    if (!left) place -= composite.left->count;
+    node = left ? composite.left.get() : composite.right.get();
+  }
+  return node;
+}
+
 std::vector<const Node*> preorder(const Node& tree) {
   std::vector<const Node*> nodes, open{&tree};
   nodes.reserve(tree.count);

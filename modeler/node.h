@@ -73,6 +73,9 @@ NodePtr renumbered(const Node& node, FileSlot slot);
 /// All nodes: each before its children, the left one first. They live as long as the tree.
 std::vector<const Node*> preorder(const Node& tree);
 
+/// The node at a place of preorder(), found on the way down; null where there is none.
+const Node* node_at(const Node& tree, std::size_t place);
+
 /// The bounds that an operation leaves of two.
 Box combined(Operation operation, const Box& left, const Box& right);
 

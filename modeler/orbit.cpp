@@ -8,15 +8,9 @@
 
 #include "modeler/screen_frame.h"
 #include "modeler/view.h"
-#include "tracer/atomic_file.h"
-#include "tracer/scene_file.h"
-#include "tracer/scene_path.h"
-#include "tracer/text_file.h"
 
 namespace sir::modeler {
 namespace {
-
-using Path = std::filesystem::path;
 
 constexpr double kHighest = 89 * std::numbers::pi / 180;
 constexpr double kStep = 1.1;
@@ -32,12 +26,6 @@ CameraFile framed(const Box& bounds, double aspect) {
   const glm::dvec3 extent = bounds.high - bounds.low;
   const bool usable = !is_empty(bounds) && std::isfinite(extent.x + extent.y + extent.z);
   return framing(usable ? bounds : Box{glm::dvec3(-1), glm::dvec3(1)}, aspect);
-}
-
-Path with(const Path& file, const char* suffix) {
-  const bool has =
-      fold_keyword(file.extension().string()) == fold_keyword("." + std::string(suffix));
-  return has ? file : with_suffix(file, suffix);
 }
 
 }  // namespace
@@ -72,18 +60,6 @@ void Orbit::zoom(double steps) {
   const glm::dvec2 window = camera_.window * std::pow(kStep, -steps);
   const auto usable = [](double side) { return side > kLeast && side < kMost; };
   if (usable(window.x) && usable(window.y)) camera_.window = window;
-}
-
-Path save_camera(const CameraFile& camera, const Path& file) {
-  const Path name = with(file, "CAM");
-  write_file_atomically(name, camera_text(camera));
-  return name;
-}
-
-Path save_lighting(const Lighting& lighting, const Path& file) {
-  const Path name = with(file, "LUZ");
-  write_file_atomically(name, lighting_text(lighting));
-  return name;
 }
 
 }  // namespace sir::modeler

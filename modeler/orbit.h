@@ -2,8 +2,6 @@
 // edited by hand; what comes out here is such a file.
 #pragma once
 
-#include <filesystem>
-
 #include "modeler/node.h"
 #include "tracer/scene.h"
 
@@ -36,11 +34,5 @@ class Orbit {
  private:
   CameraFile camera_;
 };
-
-/// Writes FILE.CAM, or FILE where it has that suffix. Returns the name. Throws FileError.
-std::filesystem::path save_camera(const CameraFile& camera, const std::filesystem::path& file);
-
-/// The same with the light, FILE.LUZ.
-std::filesystem::path save_lighting(const Lighting& lighting, const std::filesystem::path& file);
 
 }  // namespace sir::modeler

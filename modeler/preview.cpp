@@ -24,8 +24,7 @@ void draw_lines(const Planes& lines, Planes& picture) {
 
 Planes background_of(const PreviewRequest& request) {
   // Of a scene's made-up light the background does not hang on what is in it.
-  const Lighting lighting =
-      request.lighting.value_or(scene_of(*make_node("", Primitive{}), request.camera).lighting);
+  const Lighting lighting = request.lighting.value_or(made_up_lighting(request.camera));
   const Rgb8 colour = to_rgb8(Colour<double>(lighting.background));
   Planes planes(request.size);
   for (std::size_t pixel = 0; pixel < request.size.pixels(); ++pixel) planes.set(pixel, colour);
@@ -36,10 +35,7 @@ Planes background_of(const PreviewRequest& request) {
 
 Scene preview_scene(const PreviewRequest& request) {
   Scene scene = scene_of(*request.solid, request.camera);
-  if (request.lighting) scene.lighting = *request.lighting;
-  for (const Surface& described : request.surfaces)
-    for (Surface& surface : scene.surfaces)
-      if (surface.number == described.number) surface = described;
+  dress(scene, request.lighting, request.surfaces);
   return scene;
 }
 

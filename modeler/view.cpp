@@ -39,15 +39,6 @@ glm::dvec3 hue_of(std::int64_t number) {
   return 0.35 + 0.5 * colour;
 }
 
-Surface surface_of(std::int64_t number) {
-  Surface surface;
-  surface.number = number;
-  surface.first.ambient = surface.first.diffuse = hue_of(number);
-  surface.first.specular = 0.15;
-  surface.first.exponent = 20;
-  return surface;
-}
-
 }  // namespace
 
 CameraFile framing(const Box& bounds, double aspect) {
@@ -120,6 +111,28 @@ Region pixels_of(const Box& in_obs, const CameraFile& camera, ImageSize size) {
   return region;
 }
 
+Surface made_up_surface(std::int64_t number) {
+  Surface surface;
+  surface.number = number;
+  surface.name = "surface " + std::to_string(number);
+  surface.first.ambient = surface.first.diffuse = hue_of(number);
+  surface.first.specular = 0.15;
+  surface.first.exponent = 20;
+  return surface;
+}
+
+Lighting made_up_lighting(const CameraFile& camera) {
+  const Observer observer(camera);
+  Lighting lighting;
+  lighting.background = {0.12, 0.14, 0.18};
+  lighting.ambient = glm::dvec3(0.35);
+  const double far = 10 * (camera.distance + camera.focal);
+  lighting.lights.push_back(
+      {observer.origin + far * (glm::transpose(observer.turn) * glm::dvec3(-0.6, 0.8, -1)),
+       glm::dvec3(0.8)});
+  return lighting;
+}
+
 Scene scene_of(const Node& tree, const CameraFile& camera) {
   Scene scene;
   scene.tree = to_csg(tree);
@@ -128,15 +141,17 @@ Scene scene_of(const Node& tree, const CameraFile& camera) {
   for (const CsgNode& node : scene.tree.nodes)
     if (!node.composite)
       numbers.insert(node.surfaces.begin(), node.surfaces.begin() + face_count(node.kind));
-  for (const std::int64_t number : numbers) scene.surfaces.push_back(surface_of(number));
-  const Observer observer(camera);
-  scene.lighting.background = {0.12, 0.14, 0.18};
-  scene.lighting.ambient = glm::dvec3(0.35);
-  const double far = 10 * (camera.distance + camera.focal);
-  scene.lighting.lights.push_back(
-      {observer.origin + far * (glm::transpose(observer.turn) * glm::dvec3(-0.6, 0.8, -1)),
-       glm::dvec3(0.8)});
+  for (const std::int64_t number : numbers) scene.surfaces.push_back(made_up_surface(number));
+  scene.lighting = made_up_lighting(camera);
   return scene;
+}
+
+void dress(Scene& scene, const std::optional<Lighting>& lighting,
+           const std::vector<Surface>& described) {
+  if (lighting) scene.lighting = *lighting;
+  for (const Surface& known : described)
+    for (Surface& surface : scene.surfaces)
+      if (surface.number == known.number) surface = known;
 }
 
 }  // namespace sir::modeler

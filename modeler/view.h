@@ -2,6 +2,7 @@
 // thesis 3.2.2.9).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -25,8 +26,16 @@ std::vector<Box> bounds_in_obs(const Node& tree, const CameraFile& camera);
 /// it is beside or behind the eye.
 Region pixels_of(const Box& in_obs, const CameraFile& camera, ImageSize size);
 
-/// A scene of this solid alone, its surfaces and light made up: each surface number has a hue of
-/// its own, matt with a little gloss, and one light stands over the observer's left shoulder.
+/// Looks where nothing is said of them: each surface number has a hue of its own, matt with a
+/// little gloss, and one light stands over the observer's left shoulder.
+Surface made_up_surface(std::int64_t number);
+Lighting made_up_lighting(const CameraFile& camera);
+
+/// A scene of this solid alone, its surfaces and light made up.
 Scene scene_of(const Node& tree, const CameraFile& camera);
+
+/// Gives a scene the light, where there is one, and to its surfaces what is described of them.
+void dress(Scene& scene, const std::optional<Lighting>& lighting,
+           const std::vector<Surface>& described);
 
 }  // namespace sir::modeler

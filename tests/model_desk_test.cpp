@@ -41,7 +41,7 @@ class ModelDeskTest : public testing::Test {
 
 TEST_F(ModelDeskTest, ASceneLooksAsItIsRendered) {
   desk.open(SIR_IMAGES "/whitted");
-  DeskView view;
+  ViewSettings view;
   view.axes = view.bounds = false;
   desk.set_view(view);
   EXPECT_EQ(desk.selection(), (Selection{"whitted", 0}));
@@ -51,7 +51,10 @@ TEST_F(ModelDeskTest, ASceneLooksAsItIsRendered) {
   EXPECT_TRUE(settled() == render(scene, options).planes);
   EXPECT_EQ(camera_text(desk.camera()), camera_text(scene.camera));
   EXPECT_EQ(lighting_text(desk.lighting()), lighting_text(scene.lighting));
-  EXPECT_THAT(desk.script(), ElementsAre(HasSubstr("load whitted ")));
+  EXPECT_THAT(desk.script(),
+              ElementsAre(HasSubstr("load whitted "), HasSubstr("light load "),
+                          HasSubstr("surfaces load "), HasSubstr("camera window "), "view axes off",
+                          "view bounds off", "select whitted"));
   EXPECT_THROW(desk.open(folder / "NONE"), FileError);
 }
 
@@ -114,7 +117,7 @@ TEST_F(ModelDeskTest, WhatIsSelectedMayGo) {
 TEST_F(ModelDeskTest, OneSolidCanBeSeenAlone) {
   do_all({"create a sphere 1", "create b cube 2", "translate b 3 0 0"});
   desk.select(Selection{"a", 0});
-  DeskView view;
+  ViewSettings view;
   view.axes = view.bounds = false;
   desk.set_view(view);
   const Planes both = settled();

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "model_window_fixture.h"
+#include "modeler/look_text.h"
 #include "tracer/scene_file.h"
 
 namespace sir::viewer {
@@ -31,11 +32,12 @@ TEST_F(ModelWindowTest, ShowsThePreviewPixelForPixel) {
 TEST_F(ModelWindowTest, AButtonCreatesASolid) {
   const auto nothing = window().desk().picture();
   click("Create##do");
-  EXPECT_THAT(desk().script(), ElementsAre("create cube cube 1"));
+  EXPECT_THAT(desk().script(), ElementsAre("create cube cube 1", "select cube"));
   EXPECT_EQ(desk().selection(), (Selection{"cube", 0}));
   EXPECT_FALSE(desk().picture()->planes == nothing->planes);
   click("Create##do");
-  EXPECT_THAT(desk().script(), ElementsAre("create cube cube 1", "create \"cube (2)\" cube 1"));
+  EXPECT_THAT(desk().script(), ElementsAre("create cube cube 1", "create \"cube (2)\" cube 1",
+                                           "select \"cube (2)\""));
   click("Delete");
   EXPECT_EQ(desk().interpreter().solids().size(), 1u);
   click("Undo");
@@ -77,9 +79,10 @@ TEST_F(ModelWindowTest, AClickSelectsWhatIsThere) {
   ASSERT_EQ(places.size(), 4u);
   desk().select(std::nullopt);
   click(places["wall"]);
-  EXPECT_EQ(desk().selection(), (Selection{"both", 2}));
+  ASSERT_TRUE(desk().selection() && desk().selection()->face);
+  EXPECT_EQ(desk().selection(), (Selection{"both", 2, desk().selection()->face}));
   click(places["far"]);
-  EXPECT_EQ(desk().selection(), (Selection{"far", 0}));
+  EXPECT_EQ(desk().selection(), (Selection{"far", 0, 0}));
   click(places[""]);
   EXPECT_FALSE(desk().selection());
   click("\"both\"");
@@ -89,23 +92,30 @@ TEST_F(ModelWindowTest, AClickSelectsWhatIsThere) {
 TEST_F(ModelWindowTest, ADragOfAFieldIsOneCommand) {
   begin_with({"create ball sphere 1"});
   click("\"ball\"");
+  // The commands, of which the last is the selection's.
+  const auto changes = [this] {
+    auto script = desk().script();
+    EXPECT_EQ(script.back(), "select ball");
+    script.pop_back();
+    return script;
+  };
   const Spot field = spot("move");
   drag(field, {field.x + 60, field.y});
-  ASSERT_EQ(desk().script().size(), 2u);
-  EXPECT_THAT(desk().script()[1], StartsWith("translate ball 0 "));
+  ASSERT_EQ(changes().size(), 2u);
+  EXPECT_THAT(changes()[1], StartsWith("translate ball 0 "));
   const double moved = desk().selected_node()->bounds.centre().y;
   EXPECT_NEAR(moved, 0.6, 1e-9);  // a pixel is 1/200 of the ball
   // Elsewhere in it: two clicks at one place may be a double click.
   drag({field.x - 20, field.y}, {field.x + 40, field.y});
-  EXPECT_EQ(desk().script().size(), 3u);
+  EXPECT_EQ(changes().size(), 3u);
   EXPECT_NEAR(desk().selected_node()->bounds.centre().y, 2 * moved, 1e-12);
   const Spot turn = spot("turn z");
   drag(turn, {turn.x + 30, turn.y});
-  EXPECT_EQ(desk().script().back(), "rotate ball z 30");
+  EXPECT_EQ(changes().back(), "rotate ball z 30");
   const Spot scale = spot("scale all");
   drag({scale.x - 20, scale.y}, {scale.x + 40, scale.y});
-  EXPECT_THAT(desk().script().back(), StartsWith("scale ball 1.6"));
-  EXPECT_EQ(desk().script().size(), 5u);
+  EXPECT_THAT(changes().back(), StartsWith("scale ball 1.6"));
+  EXPECT_EQ(changes().size(), 5u);
 }
 
 TEST_F(ModelWindowTest, TheMouseLeadsTheCamera) {
@@ -139,7 +149,12 @@ TEST_F(ModelWindowTest, TheMouseLeadsTheCamera) {
   EXPECT_EQ(text(), before);
   key(SDLK_f, SDL_SCANCODE_F);
   EXPECT_EQ(text(), camera_text(first));
-  EXPECT_THAT(desk().script(), ElementsAre("create ball sphere 1"));
+  EXPECT_THAT(desk().script(),
+              ElementsAre("create ball sphere 1", modeler::camera_line(desk().camera())));
+  // Each drag was one, the wheel another.
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(desk().execute("undo camera")) << i;
+  EXPECT_FALSE(desk().execute("undo camera"));
+  EXPECT_EQ(text(), camera_text(first));
 }
 
 TEST_F(ModelWindowTest, KeysUndoAndRedo) {
@@ -165,7 +180,7 @@ TEST_F(ModelWindowTest, OneRowOnAnotherCombines) {
   type("rest");
   click("Combine##do");
   EXPECT_THAT(desk().script(), ElementsAre("create ball sphere 1", "create bite cube 2",
-                                           "combine rest ball difference bite"));
+                                           "combine rest ball difference bite", "select rest"));
   EXPECT_EQ(desk().selection(), (Selection{"rest", 0}));
   click("Split");
   EXPECT_EQ(desk().script().back(), "split rest");

@@ -4,27 +4,23 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "modeler/command_error.h"
 #include "modeler/command_line.h"
+#include "modeler/look_text.h"
 #include "modeler/pick.h"
 #include "modeler/script.h"
-#include "modeler/view.h"
-#include "tracer/atomic_file.h"
 #include "tracer/error.h"
-#include "tracer/scene_file.h"
 #include "tracer/scene_path.h"
 
 namespace sir::viewer {
 namespace {
 
 using Path = std::filesystem::path;
-using modeler::Box;
-using modeler::EntryPtr;
+using modeler::as_word;
 using modeler::Node;
 using modeler::NodePtr;
-
-// Of the image that a .CAM is for where nothing is said (thesis 3.6.2).
-constexpr double kAspect = 4.0 / 3;
 
 // All solids as one; each after its last, so that the preorder begins with as many unions.
 NodePtr all_of(const modeler::Lsu& solids) {
@@ -52,69 +48,57 @@ std::optional<Selection> find(const modeler::Lsu& solids, std::size_t place) {
 }  // namespace
 
 ModelDesk::ModelDesk(DeskOptions options)
-    : interpreter_(std::move(options.outlet)),
-      orbit_(Box{}, kAspect),
-      preview_(std::move(options.wake), options.threads) {}
+    : interpreter_(std::move(options.outlet)), preview_(std::move(options.wake), options.threads) {}
 
 template <typename Work>
 bool ModelDesk::attempt(Work work) {
-  refused_ = false;
   try {
     work();
+    return true;
   } catch (const modeler::CommandError& error) {
     message_ = error.what();
-    refused_ = true;
   } catch (const FileError& error) {
     message_ = error.what();
-    refused_ = true;
   }
-  return !refused_;
+  refused_ = true;
+  return false;
 }
 
 void ModelDesk::say(const modeler::Reply& reply) {
+  refused_ = false;
   message_ = reply.text + reply.done;
   for (const std::string& warning : reply.warnings)
     message_ += (message_.empty() ? "warning: " : "\nwarning: ") + warning;
-  changed();
+  dirty_ = true;
   if (reply.quit) close();
 }
 
-// After a command: whatever it did, what is selected must be there.
-void ModelDesk::changed() {
-  dirty_ = true;
-  if (selected_node() == nullptr) selection_.reset();
-  if (framed_ || interpreter_.solids().empty()) return;
-  framed_ = true;
-  frame();
+// For what is seen to be done: only a refusal is said, and one that was said is gone.
+bool ModelDesk::quietly(const std::string& line) {
+  return attempt([&] {
+    interpreter_.execute(line);
+    dirty_ = true;
+    if (std::exchange(refused_, false)) message_.clear();
+  });
 }
 
 void ModelDesk::run_script(const Path& file) {
   interpreter_.protect(file);
   TextFile text(file);
-  const bool was_framed = std::exchange(framed_, true);  // all of it, not what comes first
   modeler::run_script(text, interpreter_, [this](const modeler::Reply& reply) { say(reply); });
-  framed_ = was_framed;
-  changed();
+  interpreter_.release(file);
 }
 
 void ModelDesk::open(const Path& base) {
-  if (existing_by_suffix(base, "CAM")) {
-    TextFile file(find_by_suffix(base, "CAM"));
-    orbit_ = modeler::Orbit(read_camera(file));
-    framed_ = true;
-  }
-  if (existing_by_suffix(base, "LUZ")) {
-    TextFile file(find_by_suffix(base, "LUZ"));
-    lighting_ = read_lighting(file);
-  }
-  if (existing_by_suffix(base, "SUP")) {
-    TextFile file(find_by_suffix(base, "SUP"));
-    surfaces_ = read_surfaces(file);
-  }
-  const std::string name = base.filename().string();
-  say(interpreter_.execute("load " + modeler::as_word(name) + " " +
-                           modeler::as_word(base.string())));
-  select(Selection{name, 0});
+  const std::string name = as_word(base.filename().string());
+  const auto loaded = interpreter_.execute("load " + name + " " + as_word(base.string()));
+  constexpr std::pair<const char*, const char*> kLooks[] = {
+      {"CAM", "camera"}, {"LUZ", "light"}, {"SUP", "surfaces"}};
+  for (const auto& [suffix, word] : kLooks)
+    if (const auto file = existing_by_suffix(base, suffix))
+      interpreter_.execute(std::string(word) + " load " + as_word(file->string()));
+  interpreter_.execute("select " + name);
+  say(loaded);
 }
 
 bool ModelDesk::execute(const std::string& line) {
@@ -126,11 +110,13 @@ bool ModelDesk::execute(const std::string& line) {
 bool ModelDesk::drag(const std::string& line) {
   const bool again = std::exchange(dragging_, true) && drag_done_;
   if (!again) drag_done_ = false;
+  interpreter_.hold_camera();
   return attempt([&] {
     if (again) interpreter_.execute("undo");
+    const std::size_t before = interpreter_.undoable();
     try {
       const modeler::Reply reply = interpreter_.execute(line);
-      drag_done_ = !line.empty();
+      drag_done_ = interpreter_.undoable() > before;
       say(reply);
     } catch (...) {
       if (again) interpreter_.execute("redo");
@@ -139,20 +125,19 @@ bool ModelDesk::drag(const std::string& line) {
   });
 }
 
-const Node* ModelDesk::selected_node() const {
-  if (!selection_) return nullptr;
-  const EntryPtr entry = interpreter_.solids().find(selection_->solid);
-  if (!entry) return nullptr;
-  const NodePtr& tree = entry->solid.tree();
-  if (selection_->place == 0) return tree.get();
-  return selection_->place < tree->count ? modeler::preorder(*tree)[selection_->place] : nullptr;
+void ModelDesk::end_drag() {
+  dragging_ = false;
+  interpreter_.let_go_of_camera();
 }
 
-void ModelDesk::select(std::optional<Selection> selection) {
-  if (selection == selection_) return;
-  selection_ = std::move(selection);
-  if (selected_node() == nullptr) selection_.reset();
-  dirty_ = true;
+const Node* ModelDesk::selected_node() const {
+  const auto& chosen = selection();
+  if (!chosen) return nullptr;
+  return modeler::node_at(*interpreter_.solids().find(chosen->solid)->solid.tree(), chosen->place);
+}
+
+bool ModelDesk::select(const std::optional<Selection>& selection) {
+  return selection == this->selection() || quietly(modeler::select_line(selection));
 }
 
 void ModelDesk::select_at(int column, int row) {
@@ -162,78 +147,61 @@ void ModelDesk::select_at(int column, int row) {
   if (!tree) return;
   modeler::Picker picker(tree, camera(), size);
   const auto pick = picker.at(column, row);
-  if (!pick) return select(std::nullopt);
-  const bool alone = view_.alone && selection_;
-  select(alone ? Selection{selection_->solid, pick->place}
-               : find(interpreter_.solids(), pick->place));
+  std::optional<Selection> found;
+  if (pick && view().alone && selection()) found = Selection{selection()->solid, pick->place};
+  else if (pick) found = find(interpreter_.solids(), pick->place);
+  if (found) found->face = pick->face;
+  select(found);
 }
 
-void ModelDesk::set_view(const DeskView& view) {
-  dirty_ = dirty_ || !(view == view_);
-  view_ = view;
+void ModelDesk::set_view(const ViewSettings& wanted) {
+  for (const std::string& line : modeler::view_lines(wanted, view())) quietly(line);
 }
 
-void ModelDesk::turn(double right, double down) {
-  orbit_.turn(right, down);
-  dirty_ = true;
+bool ModelDesk::turn(double right, double down) {
+  interpreter_.hold_camera();
+  return quietly(fmt::format("camera turn {} {}", right, down));
 }
 
-void ModelDesk::pan(double right, double down) {
-  orbit_.pan(right, down);
-  dirty_ = true;
+bool ModelDesk::pan(double right, double down) {
+  interpreter_.hold_camera();
+  return quietly(fmt::format("camera pan {} {}", right, down));
 }
 
-void ModelDesk::zoom(double steps) {
-  orbit_.zoom(steps);
-  dirty_ = true;
+bool ModelDesk::zoom(double steps) {
+  interpreter_.hold_camera();
+  return quietly(fmt::format("camera zoom {}", steps));
 }
 
-void ModelDesk::frame() {
-  const NodePtr tree = shown();
-  orbit_ = modeler::Orbit(tree ? tree->bounds : Box{}, kAspect);
-  dirty_ = true;
-}
-
-Lighting ModelDesk::lighting() const {
-  if (lighting_) return *lighting_;
-  return modeler::scene_of(*modeler::make_node("", modeler::Primitive{}), camera()).lighting;
-}
-
-// What the contract of the files refuses is refused here.
 bool ModelDesk::set_camera(const CameraFile& camera) {
-  return attempt([&] {
-    TextFile file("camera", camera_text(camera));
-    orbit_ = modeler::Orbit(read_camera(file));
-    framed_ = dirty_ = true;
-    message_.clear();
-  });
+  interpreter_.hold_camera();
+  return quietly(modeler::camera_line(camera));
 }
 
 bool ModelDesk::set_lighting(const Lighting& lighting) {
-  return attempt([&] {
-    TextFile file("light", lighting_text(lighting));
-    lighting_ = read_lighting(file);
-    dirty_ = true;
-    message_.clear();
-  });
+  return drag(modeler::light_line(lighting));
+}
+
+bool ModelDesk::frame() {
+  end_drag();
+  const bool alone = view().alone && selection();
+  return quietly("camera frame" + (alone ? " " + as_word(selection()->solid) : ""));
 }
 
 bool ModelDesk::save_camera(const Path& file) {
-  return attempt([&] { message_ = "wrote " + modeler::save_camera(camera(), file).string(); });
+  return execute("camera save " + as_word(file.string()));
 }
 
 bool ModelDesk::save_lighting(const Path& file) {
-  return attempt([&] { message_ = "wrote " + modeler::save_lighting(lighting(), file).string(); });
+  return execute("light save " + as_word(file.string()));
+}
+
+bool ModelDesk::save_surfaces(const Path& file) {
+  return execute("surfaces save " + as_word(file.string()));
 }
 
 bool ModelDesk::save_script(const Path& file) {
-  return attempt([&] {
-    const Path name = file.has_extension() ? file : with_suffix(file, "model");
-    std::string text;
-    for (const std::string& line : script()) text += line + "\n";
-    write_file_atomically(name, text);
-    message_ = "wrote " + name.string();
-  });
+  return execute("script save " + as_word(file.string()));
 }
 
 void ModelDesk::set_room(ImageSize room) {
@@ -243,7 +211,8 @@ void ModelDesk::set_room(ImageSize room) {
 }
 
 ImageSize ModelDesk::picture_size() const {
-  const double aspect = camera().window.x / camera().window.y;
+  const glm::dvec2 window = camera().window;
+  const double aspect = window.x / window.y;
   const auto pixels = [](double length, int most) {
     return static_cast<int>(std::clamp(std::round(length), 1.0, std::max(1.0, double(most))));
   };
@@ -251,8 +220,8 @@ ImageSize ModelDesk::picture_size() const {
 }
 
 NodePtr ModelDesk::shown() const {
-  if (!view_.alone || !selection_) return all_of(interpreter_.solids());
-  return interpreter_.solids().find(selection_->solid)->solid.tree();
+  if (!view().alone || !selection()) return all_of(interpreter_.solids());
+  return interpreter_.solids().find(selection()->solid)->solid.tree();
 }
 
 std::vector<modeler::GuideLine> ModelDesk::guides(const Node& shown) const {
@@ -260,10 +229,10 @@ std::vector<modeler::GuideLine> ModelDesk::guides(const Node& shown) const {
   const auto add = [&](const std::vector<modeler::GuideLine>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
   };
-  if (view_.grid) add(modeler::grid(shown.bounds));
-  if (view_.axes) add(modeler::axes(shown.bounds));
+  if (view().grid) add(modeler::grid(shown.bounds));
+  if (view().axes) add(modeler::axes(shown.bounds));
   const Node* node = selected_node();
-  if (view_.bounds && node != nullptr) add(modeler::edges(node->bounds));
+  if (view().bounds && node != nullptr) add(modeler::edges(node->bounds));
   return lines;
 }
 
@@ -273,11 +242,11 @@ void ModelDesk::refresh() {
   modeler::PreviewRequest request;
   request.solid = shown();
   request.camera = camera();
-  request.lighting = lighting_;
-  request.surfaces = surfaces_;
+  request.lighting = interpreter_.looks().lighting;
+  request.surfaces = interpreter_.looks().surface_list();
   request.size = picture_size();
-  request.ghosts = view_.ghosts;
-  request.silhouette = view_.silhouette;
+  request.ghosts = view().ghosts;
+  request.silhouette = view().silhouette;
   if (request.solid) request.guides = guides(*request.solid);
   preview_.request(std::move(request));
 }

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "modeler/interpreter.h"
-#include "modeler/orbit.h"
 #include "modeler/preview.h"
 
 namespace sir::viewer {
@@ -22,23 +21,12 @@ struct DeskOptions {
   int threads = 0;                     ///< of the tracer; 0: as many as cores
 };
 
-/// What is shown besides the solids.
-struct DeskView {
-  bool ghosts = false, axes = true, bounds = true, grid = false, silhouette = false;
-  bool alone = false;  ///< the selected solid alone; else all of the list
-  friend bool operator==(const DeskView&, const DeskView&) = default;
-};
+using modeler::Selection;
+using modeler::ViewSettings;
 
-/// A node of a solid: a place in preorder() of its tree, 0 the solid itself.
-struct Selection {
-  std::string solid;
-  std::size_t place = 0;
-  friend bool operator==(const Selection&, const Selection&) = default;
-};
-
-/// Solids are changed by commands only, so that script() tells all that was done to them; camera,
-/// light and surfaces are looks, as in BASE.CAM, .LUZ and .SUP. What is refused leaves everything,
-/// the picture too, as it was, and message() says why. For one thread; nothing waits.
+/// Whatever is done here is a command given to the interpreter, which holds all that there is:
+/// script() makes it again. What is refused leaves everything, the picture too, as it was, and
+/// message() says why. For one thread; nothing waits.
 class ModelDesk {
  public:
   explicit ModelDesk(DeskOptions options);
@@ -54,9 +42,10 @@ class ModelDesk {
   bool execute(const std::string& line);
 
   /// The same for a change that a hand is still making: the command takes the place of the last one
-  /// that was given so, until end_drag(). An empty one: no change.
+  /// that was given so, until end_drag(). An empty one: no change. Those of the camera come one
+  /// after the other, and `undo camera` takes them back as one.
   bool drag(const std::string& line);
-  void end_drag() { dragging_ = false; }
+  void end_drag();
 
   const modeler::Interpreter& interpreter() const { return interpreter_; }
   std::vector<std::string> script() const { return interpreter_.script(); }
@@ -66,27 +55,30 @@ class ModelDesk {
   bool refused() const { return refused_; }
 
   /// The node that is selected; none where its solid is gone.
-  const std::optional<Selection>& selection() const { return selection_; }
+  const std::optional<Selection>& selection() const { return interpreter_.selection(); }
   const modeler::Node* selected_node() const;
-  void select(std::optional<Selection> selection);
+  bool select(const std::optional<Selection>& selection);
   void select_at(int column, int row);  ///< of the picture; the background selects nothing
 
-  const DeskView& view() const { return view_; }
-  void set_view(const DeskView& view);
+  const ViewSettings& view() const { return interpreter_.view(); }
+  void set_view(const ViewSettings& view);
 
-  void turn(double right, double down);
-  void pan(double right, double down);
-  void zoom(double steps);
-  void frame();  ///< the camera that has all of it, or the selected solid, in its window
-
-  const CameraFile& camera() const { return orbit_.camera(); }
-  Lighting lighting() const;  ///< the made-up one of the camera until it is set
+  /// By the mouse; each is part of a drag.
+  bool turn(double right, double down);
+  bool pan(double right, double down);
+  bool zoom(double steps);
   bool set_camera(const CameraFile& camera);
   bool set_lighting(const Lighting& lighting);
+  bool frame();  ///< the camera that has all of it, or the selected solid alone, in its window
 
-  /// FILE.CAM, FILE.LUZ, FILE (.model where it has no suffix). False where it cannot be written.
+  CameraFile camera() const { return interpreter_.camera(); }
+  Lighting lighting() const { return interpreter_.lighting(); }
+
+  /// FILE.CAM, FILE.LUZ, FILE.SUP, FILE (.model where it has no suffix). False where it cannot be
+  /// written.
   bool save_camera(const std::filesystem::path& file);
   bool save_lighting(const std::filesystem::path& file);
+  bool save_surfaces(const std::filesystem::path& file);
   bool save_script(const std::filesystem::path& file);
 
   /// The room for the picture, which takes as much of it as the camera's window has the shape for.
@@ -108,20 +100,15 @@ class ModelDesk {
   template <typename Work>
   bool attempt(Work work);
   void say(const modeler::Reply& reply);
-  void changed();
+  bool quietly(const std::string& line);
   modeler::NodePtr shown() const;
   std::vector<modeler::GuideLine> guides(const modeler::Node& shown) const;
 
   modeler::Interpreter interpreter_;
   std::string message_;
   bool refused_ = false, closed_ = false, warned_ = false;
-  bool dragging_ = false, drag_done_ = false;
-  std::optional<Selection> selection_;
-  DeskView view_;
-  modeler::Orbit orbit_;
-  bool framed_ = false;
-  std::optional<Lighting> lighting_;
-  std::vector<Surface> surfaces_;
+  bool dragging_ = false;
+  bool drag_done_ = false;  // the last command of the drag can be undone
   ImageSize room_;
   bool dirty_ = true;
   modeler::Preview preview_;  // the last member: its thread wakes the others

@@ -161,6 +161,7 @@ class ModelWindow::Impl {
   void release(const SDL_MouseButtonEvent& event) {
     if (event.button != button_) return;
     button_ = 0;
+    desk_.end_drag();
     if (moved_ || event.button != SDL_BUTTON_LEFT) return;
     const auto [units, pixels] = widths();
     desk_.select_at(event.x * pixels / units - place_.x, event.y * pixels / units - place_.y);
