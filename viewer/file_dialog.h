@@ -18,11 +18,11 @@ class FileDialog {
  public:
   struct Wanted {
     std::string title;
-    std::string button;                 ///< what it does: "Open", "Save"
+    std::string button = {};            ///< what it does: "Open", "Save"
     std::vector<std::string> suffixes;  ///< in upper case; what has none of them gets the first
     bool to_save = false;  ///< a file that need not be there, and is asked about where it is
-    std::string proposed;  ///< a name to begin with
-    std::function<void(const std::filesystem::path& file)> chosen;  ///< absolute
+    std::string proposed = {};  ///< a name to begin with
+    std::function<void(const std::filesystem::path& file)> chosen = {};  ///< absolute
   };
 
   /// Begins with the next drawing; in `folder`, if that is not empty, else where the last one was.

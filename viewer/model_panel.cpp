@@ -38,8 +38,9 @@ void ModelPanel::draw(ModelDesk& desk, ModelHand& hand) {
   files_.draw(desk, [this](const std::string& label) { note(label); });
   for (const std::string& line : std::exchange(pending_, {}))
     if (!desk.execute(line)) break;
-  // What a hand let go of, wherever it was, is done.
-  if (!ImGui::IsAnyItemActive() && !hand.holds()) desk.end_drag();
+  // A drag ends where the hand lets go of the field.
+  const bool active = ImGui::IsAnyItemActive();
+  if (std::exchange(active_, active) && !active) desk.end_drag();
 }
 
 void ModelPanel::draw_tools(ModelDesk& desk, ModelHand& hand) {

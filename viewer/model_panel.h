@@ -84,6 +84,7 @@ class ModelPanel {
   std::int64_t surface_ = 1, described_ = 1;
   std::string left_, right_;
   bool open_combine_ = false;
+  bool active_ = false;  // a hand holds a field
   std::size_t commands_ = 0;
 };
 

@@ -25,8 +25,7 @@ PanelFrame::~PanelFrame() { ImGui_ImplSDLRenderer_Shutdown(); }
 bool PanelFrame::takes(const SDL_Event& event) {
   input_.pass(event);
   const ImGuiIO& io = ImGui::GetIO();
-  const bool popup =
-      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  const bool popup = has_popup();
   switch (event.type) {
     case SDL_MOUSEMOTION: return held_;
     case SDL_MOUSEBUTTONDOWN: return held_ = popup || is_within(event.button.x);
@@ -40,6 +39,10 @@ bool PanelFrame::takes(const SDL_Event& event) {
     case SDL_KEYDOWN: return io.WantTextInput;
     default: return false;
   }
+}
+
+bool PanelFrame::has_popup() {
+  return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 void PanelFrame::draw(const std::function<void()>& parts) {

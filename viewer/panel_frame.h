@@ -23,6 +23,9 @@ class PanelFrame {
   /// Hears of every event first. Returns whether it is for the panel alone.
   bool takes(const SDL_Event& event);
 
+  /// Whether a menu, a list or a dialog is open, which comes before all else.
+  static bool has_popup();
+
   /// Draws what `parts` makes.
   void draw(const std::function<void()>& parts);
 
