@@ -8,24 +8,21 @@ void History::commit(Lsu& solids, std::string command, Changes changes) {
   records_.resize(done_);
   records_.push_back({std::move(command), std::move(changes)});
   solids.apply(records_.back().changes);
-  for (const Change& change : records_.back().changes)
-    if (change.before) change.before->solid.forget_tree();
+  trees_.done(records_.back().changes);
   ++done_;
 }
 
 const std::string& History::undo(Lsu& solids) {
   const Record& record = records_[--done_];
   solids.revert(record.changes);
-  for (const Change& change : record.changes)
-    if (change.after) change.after->solid.forget_tree();
+  trees_.reverted(record.changes);
   return record.command;
 }
 
 const std::string& History::redo(Lsu& solids) {
   const Record& record = records_[done_++];
   solids.apply(record.changes);
-  for (const Change& change : record.changes)
-    if (change.before) change.before->solid.forget_tree();
+  trees_.done(record.changes);
   return record.command;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "modeler/lsu.h"
+#include "modeler/warm_trees.h"
 
 namespace sir::modeler {
 
@@ -34,6 +35,7 @@ class History {
   };
   std::vector<Record> records_;
   std::size_t done_ = 0;  // the records before it are in force
+  WarmTrees trees_;
 };
 
 }  // namespace sir::modeler
