@@ -5,6 +5,7 @@
 
 #include "modeler/command_line.h"
 #include "modeler/commands.h"
+#include "modeler/operations.h"
 #include "tracer/text_file.h"
 
 namespace sir::modeler {
@@ -51,22 +52,58 @@ void offer_files(const std::string& typed, Words& words) {
   }
 }
 
+// Places in a tree, in their order, with what is there.
+void offer_places(const Node& tree, std::string_view typed, Completion& completion) {
+  const std::vector<const Node*> nodes = preorder(tree);
+  for (std::size_t place = 0; place < nodes.size(); ++place) {
+    const Node& node = *nodes[place];
+    std::string number = std::to_string(place);
+    if (!number.starts_with(typed) && !begins(node.name, typed)) continue;
+    completion.words.push_back(std::move(number));
+    const Primitive* primitive = node.primitive();
+    const std::string_view what =
+        primitive != nullptr ? name_of(primitive->kind) : name_of(node.composite()->operation);
+    completion.notes.push_back(node.name + ": " + std::string(what));
+  }
+}
+
+void offer_part_commands(std::string_view typed, Words& words) {
+  for (const CommandInfo& info : commands()) {
+    if (!is_for_parts(info.command)) continue;
+    if (begins(info.name, typed)) words.emplace_back(info.name);
+    else if (!typed.empty() && begins(info.portuguese, typed)) words.emplace_back(info.portuguese);
+  }
+}
+
+// The command whose words stand at the end of the line, and how many of them are before the last:
+// in an edit it is the part's, its name the place.
+const CommandInfo* command_of(const Words& before, std::size_t& count) {
+  const CommandInfo* info = find_command(before.front());
+  count = before.size();
+  if (info == nullptr || info->command != Command::edit || count < 4) return info;
+  count -= 2;
+  const CommandInfo* part = find_command(before[3]);
+  return part != nullptr && is_for_parts(part->command) ? part : nullptr;
+}
+
 }  // namespace
 
 Completion complete(const Interpreter& interpreter, std::string_view line) {
   const UnfinishedWord last = unfinished_word(line);
-  Completion completion{last.begin, {}};
+  Completion completion;
+  completion.begin = last.begin;
   if (last.in_comment) return completion;
   Words& words = completion.words;
   const auto offer_word = [&](std::string_view word) {
     if (begins(word, last.text)) words.emplace_back(word);
   };
+  std::size_t count = 0;
   if (last.before.empty()) {
     offer_commands(last.text, words);
-  } else if (const CommandInfo* info = find_command(last.before.front());
+  } else if (const CommandInfo* info = command_of(last.before, count);
              info != nullptr && !info->places.empty()) {
-    const std::size_t place = std::min(last.before.size(), info->places.size()) - 1;
-    const bool beyond = last.before.size() > info->places.size();
+    const std::size_t place = std::min(count, info->places.size()) - 1;
+    const bool beyond = count > info->places.size();
     const bool is_option = last.text.starts_with("--");
     switch (beyond && info->places[place] != 'f' ? '-' : info->places[place]) {
       case 's':
@@ -77,6 +114,11 @@ Completion complete(const Interpreter& interpreter, std::string_view line) {
       case 't': offer(transforms(), last.text, words); break;
       case 'a': offer(aspects(), last.text, words); break;
       case 'c': offer_commands(last.text, words); break;
+      case 'E': offer_part_commands(last.text, words); break;
+      case 'N':
+        if (const EntryPtr solid = interpreter.solids().find(last.before[1]))
+          offer_places(*solid->solid.tree(), last.text, completion);
+        return completion;
       case 'p': offer_word("apart"); break;
       case 'x':
         for (const char* axis : {"x", "y", "z"}) offer_word(axis);

@@ -10,6 +10,7 @@
 
 #include "modeler/looks.h"
 #include "modeler/lsu.h"
+#include "modeler/warm_trees.h"
 
 namespace sir::modeler {
 
@@ -53,6 +54,7 @@ class History {
   std::vector<Note> first_notes_;
   std::vector<Record> records_;
   std::size_t done_ = 0;  // the records before it are in force
+  WarmTrees trees_;
 };
 
 }  // namespace sir::modeler

@@ -89,7 +89,9 @@ class Interpreter {
 
  private:
   class Arguments;
-  Changes transform(Step::Kind kind, const std::string& name, Arguments& words) const;
+  Changes edit(const CommandInfo& info, Arguments& words, std::string& done) const;
+  static NodeChange change(Command command, Arguments& words);
+  static Step step(Command command, Arguments& words);
   Reply save(const std::string& name, const std::filesystem::path& file);
   Changes load(const std::string& name, const std::filesystem::path& file) const;
   Reply show(Arguments& words);
