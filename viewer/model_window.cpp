@@ -113,6 +113,7 @@ class ModelWindow::Impl {
     if (event.type == SDL_RENDER_TARGETS_RESET || event.type == SDL_RENDER_DEVICE_RESET) {
       texture_.reset();  // its content is lost
       drawn_.reset();
+      frame_->forget();
     }
     // The panel sees the mouse once a drawing: where it was when the button went down or up, and
     // each of the two, has a drawing of its own. So has a key, which may be up again at once.
