@@ -119,6 +119,7 @@ class ModelWindow::Impl {
     if (event.type == SDL_RENDER_TARGETS_RESET || event.type == SDL_RENDER_DEVICE_RESET) {
       texture_.reset();  // its content is lost
       drawn_.reset();
+      frame_->forget();
     }
     if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_LEAVE)
       mouse_.reset();
@@ -137,7 +138,7 @@ class ModelWindow::Impl {
     }
     switch (event.type) {
       case SDL_KEYDOWN:
-        if (!PanelFrame::has_popup()) press(event.key.keysym);
+        if (!frame_->list_open()) press(event.key.keysym);
         break;
       case SDL_MOUSEBUTTONDOWN: press(event.button); break;
       case SDL_MOUSEBUTTONUP: release(event.button); break;
