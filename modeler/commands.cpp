@@ -19,14 +19,14 @@ constexpr CommandInfo kCommands[] = {
     {Command::transform, "transform", "transforma", "NAME translation|scale|rotation|matrix ...",
      "The same as translate, scale, rotate or matrix.", "st-"},
     {Command::translate, "translate", "translada", "NAME x y z", "Moves a solid.", "s-"},
-    {Command::scale, "scale", "escala", "NAME x y z | NAME factor",
-     "Scales a primitive about the origin, a composite about the centre of its bounds. Negative "
-     "factors mirror; 0 is refused.",
-     "s-"},
-    {Command::rotate, "rotate", "gira", "NAME x|y|z DEGREES",
-     "Turns about an axis through the origin or, a composite, through the centre of its bounds: "
-     "counter-clockwise, seen from the axis's positive end.",
-     "sx-"},
+    {Command::scale, "scale", "escala", "NAME x y z [centre] | NAME factor [centre]",
+     "Scales a primitive about the origin, a composite, or with the word centre any solid, about "
+     "the centre of its bounds. Negative factors mirror; 0 is refused.",
+     "s-m"},
+    {Command::rotate, "rotate", "gira", "NAME x|y|z DEGREES [centre]",
+     "Turns about an axis through the origin or, a composite or with the word centre, through the "
+     "centre of its bounds: counter-clockwise, seen from the axis's positive end.",
+     "sx-m"},
     {Command::matrix, "matrix", "matriz", "NAME m11 m12 m13 m21 ... m43 (12 numbers, or 16)",
      "Transforms by a matrix for row vectors, p' = p M, about the origin: its four lines of three "
      "numbers, or of four, the fourth column 0 0 0 1.",

@@ -56,10 +56,10 @@ struct CommandInfo {
   std::string_view form;  ///< the arguments
   std::string_view help;  ///< what it does, in a sentence or two
   /// What can stand in each place, for completion; the last goes on: n a new name, s a solid, k a
-  /// kind, o an operation, t a transform, x an axis, f a file, a an aspect, c a command, N a place
-  /// in the solid's tree, E a command for what is there and what that takes, - a number; C, L, U,
-  /// F, V, T words of camera, light, surfaces, surface, view, script, and what stands behind them;
-  /// h the word camera.
+  /// kind, o an operation, t a transform, x an axis, m the word centre, f a file, a an aspect, c a
+  /// command, N a place in the solid's tree, E a command for what is there and what that takes, - a
+  /// number; C, L, U, F, V, T words of camera, light, surfaces, surface, view, script, and what
+  /// stands behind them; h the word camera.
   std::string_view places;
 };
 

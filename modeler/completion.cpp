@@ -105,7 +105,8 @@ Completion complete(const Interpreter& interpreter, std::string_view line) {
     const std::size_t place = std::min(count, info->places.size()) - 1;
     const bool beyond = count > info->places.size();
     const bool is_option = last.text.starts_with("--");
-    switch (beyond && info->places[place] != 'f' ? '-' : info->places[place]) {
+    const char kind = info->places[place];
+    switch (beyond && kind != 'f' && kind != 'm' ? '-' : kind) {
       case 's':
         for (const auto& [unused, entry] : interpreter.solids().entries()) offer_word(entry->name);
         break;
@@ -120,6 +121,7 @@ Completion complete(const Interpreter& interpreter, std::string_view line) {
           offer_places(*solid->solid.tree(), last.text, completion);
         return completion;
       case 'p': offer_word("apart"); break;
+      case 'm': offer_word("centre"); break;
       case 'x':
         for (const char* axis : {"x", "y", "z"}) offer_word(axis);
         break;

@@ -33,7 +33,8 @@ using NodeChange = std::variant<Step, Paint, Label, Operation>;
 struct Edit {
   std::size_t place = 0;  ///< of the node in preorder(); 0: the root
   NodeChange change;
-  bool apart = false;  ///< bounds need not meet (see edited)
+  bool apart = false;         ///< bounds need not meet (see edited)
+  bool about_centre = false;  ///< what turns or scales a primitive is about its bounds' centre too
 };
 
 /// The tree after an edit: what splitting it down to the node, changing that and combining again

@@ -90,6 +90,7 @@ class Interpreter {
  private:
   class Arguments;
   Changes edit(const CommandInfo& info, Arguments& words, std::string& done) const;
+  static void take_ends(Command command, bool in_place, Arguments& words, Edit& edit);
   static NodeChange change(Command command, Arguments& words);
   static Step step(Command command, Arguments& words);
   Reply save(const std::string& name, const std::filesystem::path& file);

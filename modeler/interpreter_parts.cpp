@@ -95,13 +95,24 @@ std::string done_text(const NodeChange& change) {
 
 }  // namespace
 
+// The words that may stand at a change's end.
+void Interpreter::take_ends(Command command, bool in_place, Arguments& words, Edit& edit) {
+  if (in_place || command == Command::operation) edit.apart = words.take_last("apart", "separados");
+  switch (command) {
+    case Command::transform:
+    case Command::scale:
+    case Command::rotate: edit.about_centre = words.take_last("centre", "centro"); break;
+    default: break;
+  }
+}
+
 Changes Interpreter::edit(const CommandInfo& info, Arguments& words, std::string& done) const {
   const std::string name = words.next();
   const EntryPtr solid = require(solids_, name);  // first: what is wrong first is said first
   Edit edit;
   std::string part;
   if (info.command != Command::edit) {
-    if (info.command == Command::operation) edit.apart = words.take_last("apart", "separados");
+    take_ends(info.command, false, words, edit);
     edit.change = change(info.command, words);
   } else {
     const NodePtr& tree = solid->solid.tree();
@@ -113,7 +124,7 @@ Changes Interpreter::edit(const CommandInfo& info, Arguments& words, std::string
     std::vector<std::string> rest{std::string(info.name)};
     while (words.left() > 0) rest.push_back(words.next());
     Arguments its_words(shown, std::move(rest), words.text());
-    edit.apart = its_words.take_last("apart", "separados");
+    take_ends(command.command, true, its_words, edit);
     edit.change = change(command.command, its_words);
     part = fmt::format("{} at {}: ", in_quotes(node_at(*tree, edit.place)->name), edit.place);
   }

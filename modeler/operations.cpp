@@ -105,14 +105,14 @@ Changes edit(const Lsu& solids, std::string_view name, Edit edit) {
   const EntryPtr solid = require(solids, name);
   if (Step* step = std::get_if<Step>(&edit.change); step != nullptr && turns_or_scales(*step)) {
     const Node& node = *node_at(*solid->solid.tree(), edit.place);
-    if (node.composite() != nullptr)
+    if (node.composite() != nullptr || edit.about_centre)
       step->centre = centre_of(node.bounds, edit.place > 0 ? node.name : name);
   }
   return replaced(solids, solid, entry(solid->name, solid->solid.edited(std::move(edit))));
 }
 
 Changes transform(const Lsu& solids, std::string_view name, Step step) {
-  return edit(solids, name, {0, step, false});
+  return edit(solids, name, {0, step});
 }
 
 Changes combine(const Lsu& solids, const std::string& name, std::string_view left,

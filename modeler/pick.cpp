@@ -43,12 +43,9 @@ std::optional<Pick> Picker::at(int column, int row) {
   const TraceNode& first = log.front();
   if (!first.hit) return std::nullopt;
   const std::size_t place = places_.at(first.node);
-  return Pick{nodes_[place],
-              place,
-              first.face,
-              scene_.surfaces[first.surface].number,
-              first.t,
-              ray.origin.v + first.t * ray.direction.v};
+  return Pick{nodes_[place], place,
+              first.face,    scene_.surfaces[first.surface].number,
+              first.t,       ray.origin.v + first.t * ray.direction.v};
 }
 
 }  // namespace sir::modeler

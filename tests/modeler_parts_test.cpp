@@ -432,6 +432,32 @@ TEST_F(PartsTest, PaintAndOperationOfASolid) {
   EXPECT_EQ(solid("e").composite()->operation, Operation::intersection);
 }
 
+TEST_F(PartsTest, APrimitiveIsTurnedAboutItsCentreWhereThatIsSaid) {
+  for (const char* name : {"a", "b"}) {
+    say(std::string("create ") + name + " cube 1");
+    say(std::string("translate ") + name + " 3 4 5");
+  }
+  const modeler::Box before = solid("a").bounds;
+  say("scale a 2 1 1 centre");
+  EXPECT_EQ(solid("a").bounds.centre(), before.centre());
+  EXPECT_EQ(solid("a").bounds.high.x - solid("a").bounds.low.x, 2 * (before.high.x - before.low.x));
+  say("gira a z 90 centro");
+  EXPECT_EQ(solid("a").bounds.centre(), before.centre());
+  EXPECT_EQ(solid("a").bounds.high.y - solid("a").bounds.low.y, 2 * (before.high.y - before.low.y));
+  say("transform a scale 0.5 centre");
+  EXPECT_EQ(solid("a").bounds.centre(), before.centre());
+  // In place the same, and with apart behind it.
+  say("combine both a union b");
+  say("edit both 2 scale 2 1 1 centre");
+  say("edit both 2 rotate z 90 centre apart");
+  say("edit both 2 scale 0.5 centre");
+  const Node& both = solid("both");
+  EXPECT_EQ(both.composite()->right->bounds.low, both.composite()->left->bounds.low);
+  EXPECT_EQ(both.composite()->right->bounds.high, both.composite()->left->bounds.high);
+  expect_refused("translate both 1 2 3 centre", "centre");
+  expect_refused("scale both centre", "centre");
+}
+
 TEST_F(PartsTest, ACompositeWithoutAnIntersectionIsRefused) {
   say_all({"create a cube 1", "create b sphere 1", "combine c a difference b", "create d cube 1",
            "combine e c union d"});

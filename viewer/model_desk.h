@@ -118,7 +118,7 @@ class ModelDesk {
   std::string message_;
   bool refused_ = false, closed_ = false, warned_ = false;
   bool dragging_ = false;
-  bool drag_done_ = false;  // the last command of the drag can be undone
+  bool drag_done_ = false;                   // the last command of the drag can be undone
   mutable std::vector<std::string> script_;  // once it was asked for
   mutable bool script_known_ = false;
   ModelProbe probe_;

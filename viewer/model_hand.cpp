@@ -66,7 +66,7 @@ void ModelHand::release(ModelDesk& desk) {
 // "": the mouse is where it was.
 std::string ModelHand::command(const Held& held, const glm::dvec2& to) const {
   const auto three = [](const glm::dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
-  const char* about = held.off_origin ? " about centre" : "";
+  const char* about = held.off_origin ? " centre" : "";
   switch (held.handles.kind()) {
     case HandleKind::move: {
       const glm::dvec3 way = held.handles.moved(held.axis, held.from, to);

@@ -79,8 +79,10 @@ void ModelLine::complete(ImGuiInputTextCallbackData* data) {
   if (text.size() > line.size() - completion.begin || only) replace(data, begin, text);
   offered_.clear();
   if (only) return;
-  for (std::size_t i = 0; i < completion.words.size() && i < kMostOffered; ++i)
+  for (std::size_t i = 0; i < completion.words.size() && i < kMostOffered; ++i) {
     offered_ += (i == 0 ? "" : "   ") + completion.words[i];
+    if (!completion.notes.empty()) offered_ += " " + completion.notes[i] + "\n";
+  }
   if (completion.words.size() > kMostOffered)
     offered_ += "   and " + std::to_string(completion.words.size() - kMostOffered) + " more";
 }

@@ -168,7 +168,7 @@ void ModelPanel::draw_operation_of(const Selection& what, const modeler::Composi
 void ModelPanel::draw_surfaces_of(ModelDesk& desk, const Selection& what, const Node& node) {
   const std::optional<std::int64_t> common = surface_of(node);
   field_label("surface");
-  std::int64_t number = common.value_or(0);
+  std::int64_t number = common.value_or(-1);
   ImGui::SetNextItemWidth(-1);
   if (choose_surface(desk, "all faces", number))
     pending_.push_back(change_of(what, "paint", std::to_string(number)));
@@ -190,7 +190,7 @@ void ModelPanel::draw_surfaces_of(ModelDesk& desk, const Selection& what, const 
   pending_.push_back(change_of(what, "paint", numbers));
 }
 
-// A number, 0 for none in common, among those that are described or in use nearby.
+// A number, -1 for none in common, among those that are described or in use nearby.
 bool ModelPanel::choose_surface(const ModelDesk& desk, const char* label, std::int64_t& number) {
   const auto& surfaces = desk.interpreter().looks().surfaces;
   const auto told = [&](std::int64_t at) {
@@ -209,14 +209,14 @@ bool ModelPanel::choose_surface(const ModelDesk& desk, const char* label, std::i
   };
   const std::int64_t before = number;
   ImGui::PushID(label);
-  const bool open = ImGui::BeginCombo("##surface", number > 0 ? told(number).c_str() : "several");
+  const bool open = ImGui::BeginCombo("##surface", number >= 0 ? told(number).c_str() : "several");
   note(label);
   if (open) {
     std::int64_t typed = number;
     ImGui::SetNextItemWidth(110);
     if (ImGui::InputScalar("number", ImGuiDataType_S64, &typed, nullptr, nullptr, "%lld",
                            ImGuiInputTextFlags_EnterReturnsTrue) &&
-        typed > 0) {
+        typed >= 0) {
       number = typed;
       ImGui::CloseCurrentPopup();
     }

@@ -311,7 +311,7 @@ class ModelWindow::Impl {
   Spot place_, pressed_, last_;
   std::optional<Spot> mouse_;  // over the picture
   bool followed_ = true;       // where it is has been seen to
-  std::uint8_t button_ = 0;  // that went down in the picture; 0: none
+  std::uint8_t button_ = 0;    // that went down in the picture; 0: none
   bool moved_ = false, moved_over_ = false;
   std::atomic<bool> stopped_ = false;
   int frames_due_ = 2;
