@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -45,6 +46,8 @@ class Interpreter::Arguments {
   [[noreturn]] void fail() const;
 
  private:
+  std::string_view form_meant() const;
+
   const CommandInfo& info_;
   std::vector<std::string> words_;  // the command first
   std::string text_;
