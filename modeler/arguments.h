@@ -53,6 +53,8 @@ class Interpreter::Arguments {
   [[noreturn]] void fail() const;
 
  private:
+  std::string_view form_meant() const;
+
   const CommandInfo& info_;
   std::vector<std::string> words_;  // the command first
   std::string text_;

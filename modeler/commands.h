@@ -58,8 +58,8 @@ struct CommandInfo {
   /// What can stand in each place, for completion; the last goes on: n a new name, s a solid, k a
   /// kind, o an operation, t a transform, x an axis, m the word centre, f a file, a an aspect, c a
   /// command, N a place in the solid's tree, E a command for what is there and what that takes, - a
-  /// number; C, L, U, F, V, T words of camera, light, surfaces, surface, view, script, and what
-  /// stands behind them; h the word camera.
+  /// number; C, L, U, F, T what stands behind camera, light, surfaces, surface NUMBER, script;
+  /// V a part of the view, O on or off; h the word camera.
   std::string_view places;
 };
 

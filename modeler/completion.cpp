@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "modeler/command_line.h"
 #include "modeler/commands.h"
+#include "modeler/look_words.h"
 #include "modeler/operations.h"
 #include "tracer/text_file.h"
 
@@ -86,6 +88,84 @@ const CommandInfo* command_of(const Words& before, std::size_t& count) {
   return part != nullptr && is_for_parts(part->command) ? part : nullptr;
 }
 
+
+template <typename Value>
+std::optional<Value> find(std::span<const Word<Value>> known, std::string_view word) {
+  for (const Word<Value>& one : known)
+    if (is_word(word, one.english, one.portuguese)) return one.value;
+  return std::nullopt;
+}
+
+void offer_solids(const Interpreter& interpreter, std::string_view typed, Words& words) {
+  for (const auto& [place, entry] : interpreter.solids().entries())
+    if (begins(entry->name, typed)) words.push_back(entry->name);
+}
+
+bool is_number(std::string_view word) {
+  double ignored = 0;
+  return parse_number(word, ignored);
+}
+
+bool is_of_looks(char place) {
+  return std::string_view("CLUFT").find(place) != std::string_view::npos;
+}
+
+// What goes on behind camera, light, surfaces, surface and script; `before` begins with that word.
+void offer_looks(char place, const Interpreter& interpreter, const Words& before,
+                 const std::string& typed, Words& words) {
+  const bool first = before.size() == 1, second = before.size() == 2;
+  const std::string& last = before.back();
+  switch (place) {
+    case 'C': {
+      if (first) return offer(camera_words(), typed, words);
+      const auto verb = find(camera_words(), before[1]);
+      const auto word = find(camera_words(), last);
+      if (verb == CameraWord::load || verb == CameraWord::save) {
+        if (second) offer_files(typed, words);
+      } else if (verb == CameraWord::frame) {
+        if (second) offer_solids(interpreter, typed, words);
+      } else if (word == CameraWord::focal) {
+        if (begins("auto", typed)) words.emplace_back("auto");
+      } else if (verb && *verb <= CameraWord::perspective &&
+                 (is_number(last) || word == CameraWord::parallel ||
+                  word == CameraWord::perspective || word == CameraWord::made_up)) {
+        offer(camera_words().first(std::size_t(CameraWord::load)), typed, words);
+      }
+      return;
+    }
+    case 'L': {
+      if (first) return offer(light_words(), typed, words);
+      const auto verb = find(light_words(), before[1]);
+      if (verb == LightWord::load || verb == LightWord::save) {
+        if (second) offer_files(typed, words);
+      } else if (verb == LightWord::set && (second || is_number(last))) {
+        offer(light_words().first(std::size_t(LightWord::move)), typed, words);
+      }
+      return;
+    }
+    case 'U': {
+      if (first) return offer(surfaces_words(), typed, words);
+      if (second &&
+          find(surfaces_words(), last).value_or(SurfacesWord::erase) != SurfacesWord::erase)
+        offer_files(typed, words);
+      return;
+    }
+    case 'F': {
+      const auto word = find(surface_words(), last);
+      const bool named = find(surface_words(), before[before.size() - 2]) == SurfaceWord::name;
+      if (is_number(last) || named || word == SurfaceWord::plain || word == SurfaceWord::odd ||
+          word == SurfaceWord::even)
+        offer(surface_words(), typed, words);
+      return;
+    }
+    case 'T':
+      if (first) return offer(script_words(), typed, words);
+      if (second && find(script_words(), last)) offer_files(typed, words);
+      return;
+    default: return;
+  }
+}
+
 }  // namespace
 
 Completion complete(const Interpreter& interpreter, std::string_view line) {
@@ -105,11 +185,10 @@ Completion complete(const Interpreter& interpreter, std::string_view line) {
     const std::size_t place = std::min(count, info->places.size()) - 1;
     const bool beyond = count > info->places.size();
     const bool is_option = last.text.starts_with("--");
-    const char kind = info->places[place];
-    switch (beyond && kind != 'f' && kind != 'm' ? '-' : kind) {
-      case 's':
-        for (const auto& [unused, entry] : interpreter.solids().entries()) offer_word(entry->name);
-        break;
+    const char letter = info->places[place];
+    const bool goes_on = letter == 'f' || letter == 'm' || is_of_looks(letter);
+    switch (beyond && !goes_on ? '-' : letter) {
+      case 's': offer_solids(interpreter, last.text, words); break;
       case 'k': offer(kinds(), last.text, words); break;
       case 'o': offer(operations(), last.text, words); break;
       case 't': offer(transforms(), last.text, words); break;
@@ -122,6 +201,9 @@ Completion complete(const Interpreter& interpreter, std::string_view line) {
         return completion;
       case 'p': offer_word("apart"); break;
       case 'm': offer_word("centre"); break;
+      case 'h': offer_word("camera"); break;
+      case 'V': offer(view_words(), last.text, words); break;
+      case 'O': offer(switch_words(), last.text, words); break;
       case 'x':
         for (const char* axis : {"x", "y", "z"}) offer_word(axis);
         break;
@@ -130,7 +212,8 @@ Completion complete(const Interpreter& interpreter, std::string_view line) {
           for (const char* option : {"--scene", "--shaded", "--size"}) offer_word(option);
         else if (!beyond || info->command == Command::show) offer_files(last.text, words);
         break;
-      default: break;
+      case '-': break;
+      default: offer_looks(letter, interpreter, last.before, last.text, words); break;
     }
   }
   std::sort(words.begin(), words.end());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@ class History {
   /// A command that changed nothing here, but wrote a file, say. Undo and redo pass over it.
   struct Note {
     std::string command;
+    std::filesystem::path file;  ///< that was written
     bool uses_camera = false;
     std::optional<CameraFile> camera;  ///< the one it used; none: none was set
   };

@@ -18,6 +18,7 @@ Interpreter::Interpreter(Outlet outlet) : outlet_(std::move(outlet)) {}
 Reply Interpreter::execute(std::string_view line) {
   std::vector<std::string> words = split_words(line);
   if (words.empty()) return {};
+  if (line.find('\n') != line.npos) throw CommandError("a command is one line");
   if (outlet_.stop.stop_requested()) throw CommandError("interrupted");
   const CommandInfo* info = find_command(words.front());
   if (info == nullptr) {
@@ -111,11 +112,7 @@ Reply Interpreter::execute(std::string_view line) {
       return commit(std::move(changes),
                     fmt::format("{}: {}", name, type_text(*loaded->solid.tree())));
     }
-    case Command::save: {
-      const std::string name = arguments.next(), file = arguments.next();
-      arguments.end();
-      return noted(arguments, save(name, file));
-    }
+    case Command::save: return save(arguments);
     case Command::show: return show(arguments);
     case Command::inspect: return inspect(arguments);
     case Command::help: return help(arguments);
@@ -159,14 +156,14 @@ Reply Interpreter::record(History::Record record, std::string done) {
   return {{}, std::move(done), {}, false};
 }
 
-Reply Interpreter::noted(const Arguments& words, Reply reply) {
-  history_.add({words.text(), false, {}});
+Reply Interpreter::noted(const Arguments& words, const std::filesystem::path& file, Reply reply) {
+  history_.add({words.text(), file, false, {}});
   return reply;
 }
 
-Reply Interpreter::noted(const Arguments& words, Reply reply,
+Reply Interpreter::noted(const Arguments& words, const std::filesystem::path& file, Reply reply,
                          const std::optional<CameraFile>& used) {
-  history_.add({words.text(), true, used});
+  history_.add({words.text(), file, true, used});
   return reply;
 }
 

@@ -93,7 +93,7 @@ class Interpreter {
   static void take_ends(Command command, bool in_place, Arguments& words, Edit& edit);
   static NodeChange change(Command command, Arguments& words);
   static Step step(Command command, Arguments& words);
-  Reply save(const std::string& name, const std::filesystem::path& file);
+  Reply save(Arguments& words);
   Changes load(const std::string& name, const std::filesystem::path& file) const;
   Reply show(Arguments& words);
   Reply inspect(Arguments& words) const;
@@ -114,8 +114,9 @@ class Interpreter {
   Reply script_command(Arguments& words);
 
   Reply record(History::Record record, std::string done);
-  Reply noted(const Arguments& words, Reply reply);
-  Reply noted(const Arguments& words, Reply reply, const std::optional<CameraFile>& used);
+  Reply noted(const Arguments& words, const std::filesystem::path& file, Reply reply);
+  Reply noted(const Arguments& words, const std::filesystem::path& file, Reply reply,
+              const std::optional<CameraFile>& used);
   void follow(const Changes& changes, bool back);
   void require_writable(const std::filesystem::path& file) const;
 

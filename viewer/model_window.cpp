@@ -128,6 +128,7 @@ class ModelWindow::Impl {
     // The panel sees the mouse once a drawing: where it was when the button went down or up, and
     // each of the two, has a drawing of its own. So has a key, which may be up again at once.
     const bool turns = event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP;
+    if (event.type == SDL_MOUSEBUTTONDOWN) desk_.end_drag();  // another begins
     if (turns && std::exchange(moved_over_, false)) draw();
     moved_over_ = moved_over_ || event.type == SDL_MOUSEMOTION;
     if (frame_->takes(event)) {
