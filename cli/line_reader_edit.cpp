@@ -112,12 +112,14 @@ class EditingReader : public LineReader {
       el_insertstr(editor, word.c_str());
       return CC_REFRESH;
     }
-    list(found.words);
+    list(found);
     return CC_REDISPLAY;
   }
 
   // Below the line, in columns; no more than fit on a screen or so.
-  static void list(const std::vector<std::string>& words) {
+  static void list(const modeler::Completion& found) {
+    std::vector<std::string> words = found.words;
+    for (std::size_t i = 0; i < found.notes.size(); ++i) words[i] += "  " + found.notes[i];
     constexpr std::size_t kMost = 200;
     std::size_t widest = 1;
     for (const std::string& word : words) widest = std::max(widest, characters(word) + 2);

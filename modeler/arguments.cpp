@@ -1,5 +1,7 @@
 #include "modeler/arguments.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "modeler/command_error.h"
@@ -9,7 +11,7 @@ namespace sir::modeler {
 
 void Interpreter::Arguments::fail() const {
   throw CommandError(fmt::format("wrong number of words; it is {}{}{}{}", info_.name,
-                                 info_.form.empty() ? "" : " ", info_.form,
+                                 info_.form.empty() ? "" : " ", form_meant(),
                                  words_.size() > 2 ? " (a name with spaces goes in quotes)" : ""));
 }
 
@@ -33,6 +35,20 @@ std::vector<double> Interpreter::Arguments::numbers() {
   std::vector<double> values;
   while (left() > 0) values.push_back(number());
   return values;
+}
+
+// Of the ways to say it, the one that begins with the first word; else all.
+std::string_view Interpreter::Arguments::form_meant() const {
+  constexpr std::string_view kOr = " | ";
+  for (std::string_view rest = info_.form; words_.size() > 1 && !rest.empty();) {
+    const std::size_t end = std::min(rest.find(kOr), rest.size());
+    const std::string_view way = rest.substr(0, end);
+    if (way.front() >= 'a' && way.front() <= 'z' &&
+        way.substr(0, way.find(' ')) == fold_keyword(words_[1]))
+      return way;
+    rest.remove_prefix(std::min(end + kOr.size(), rest.size()));
+  }
+  return info_.form;
 }
 
 bool Interpreter::Arguments::number_follows() const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -29,6 +30,13 @@ class Interpreter::Arguments {
   }
   const std::string& peek() const { return words_[at_]; }
 
+  /// Takes this word off the end where it is there, and another before it.
+  bool take_last(std::string_view english, std::string_view portuguese) {
+    if (left() < 2 || !is_word(words_.back(), english, portuguese)) return false;
+    words_.pop_back();
+    return true;
+  }
+
   double number();
   bool number_follows() const;
   glm::dvec3 vector();
@@ -45,6 +53,8 @@ class Interpreter::Arguments {
   [[noreturn]] void fail() const;
 
  private:
+  std::string_view form_meant() const;
+
   const CommandInfo& info_;
   std::vector<std::string> words_;  // the command first
   std::string text_;

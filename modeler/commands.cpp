@@ -19,23 +19,35 @@ constexpr CommandInfo kCommands[] = {
     {Command::transform, "transform", "transforma", "NAME translation|scale|rotation|matrix ...",
      "The same as translate, scale, rotate or matrix.", "st-"},
     {Command::translate, "translate", "translada", "NAME x y z", "Moves a solid.", "s-"},
-    {Command::scale, "scale", "escala", "NAME x y z | NAME factor",
-     "Scales a primitive about the origin, a composite about the centre of its bounds. Negative "
-     "factors mirror; 0 is refused.",
-     "s-"},
-    {Command::rotate, "rotate", "gira", "NAME x|y|z DEGREES",
-     "Turns about an axis through the origin or, a composite, through the centre of its bounds: "
-     "counter-clockwise, seen from the axis's positive end.",
-     "sx-"},
+    {Command::scale, "scale", "escala", "NAME x y z [centre] | NAME factor [centre]",
+     "Scales a primitive about the origin, a composite, or with the word centre any solid, about "
+     "the centre of its bounds. Negative factors mirror; 0 is refused.",
+     "s-m"},
+    {Command::rotate, "rotate", "gira", "NAME x|y|z DEGREES [centre]",
+     "Turns about an axis through the origin or, a composite or with the word centre, through the "
+     "centre of its bounds: counter-clockwise, seen from the axis's positive end.",
+     "sx-m"},
     {Command::matrix, "matrix", "matriz", "NAME m11 m12 m13 m21 ... m43 (12 numbers, or 16)",
      "Transforms by a matrix for row vectors, p' = p M, about the origin: its four lines of three "
      "numbers, or of four, the fourth column 0 0 0 1.",
+     "s-"},
+    {Command::paint, "paint", "pinta", "NAME SURFACE...",
+     "Other surface numbers for a primitive, one for all faces or one for each; or one for all "
+     "that "
+     "is in a composite.",
      "s-"},
     {Command::combine, "combine", "combina",
      "NAME LEFT union|difference|intersection RIGHT [apart]",
      "Makes one solid of two, which become its parts. Difference and intersection of solids whose "
      "bounds do not meet are refused, but with the word apart.",
      "nsosp"},
+    {Command::operation, "operation", "operação", "NAME union|difference|intersection [apart]",
+     "Another operation for a composite; refused as combine would refuse it.", "sop"},
+    {Command::edit, "edit", "edita", "NAME PLACE COMMAND... [apart]",
+     "Changes a part of a solid in place, as if it were split down to the part and combined again. "
+     "PLACE is the part's number in inspect NAME tree, COMMAND one of translate, scale, rotate, "
+     "matrix, transform, paint, operation, label without its NAME.",
+     "sNE"},
     {Command::erase, "delete", "deleta", "NAME", "Takes a solid off the list.", "s"},
     {Command::copy, "copy", "copia", "SOURCE DESTINATION", "The same solid under a second name.",
      "sn"},
@@ -145,6 +157,20 @@ std::span<const Word<Aspect>> aspects() { return kAspects; }
 const CommandInfo* find_command(std::string_view word) {
   const auto found = by_name().find(fold_keyword(word));
   return found == by_name().end() ? nullptr : found->second;
+}
+
+bool is_for_parts(Command command) {
+  switch (command) {
+    case Command::transform:
+    case Command::translate:
+    case Command::scale:
+    case Command::rotate:
+    case Command::matrix:
+    case Command::paint:
+    case Command::operation:
+    case Command::label: return true;
+    default: return false;
+  }
 }
 
 bool is_word(std::string_view word, std::string_view english, std::string_view portuguese) {

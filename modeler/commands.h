@@ -21,7 +21,10 @@ enum class Command : std::uint8_t {
   scale,
   rotate,
   matrix,
+  paint,
   combine,
+  operation,
+  edit,
   erase,
   copy,
   split,
@@ -53,14 +56,18 @@ struct CommandInfo {
   std::string_view form;  ///< the arguments
   std::string_view help;  ///< what it does, in a sentence or two
   /// What can stand in each place, for completion; the last goes on: n a new name, s a solid, k a
-  /// kind, o an operation, t a transform, x an axis, f a file, a an aspect, c a command, - a
-  /// number; C, L, U, F, V, T words of camera, light, surfaces, surface, view, script, and what
-  /// stands behind them; h the word camera.
+  /// kind, o an operation, t a transform, x an axis, m the word centre, f a file, a an aspect, c a
+  /// command, N a place in the solid's tree, E a command for what is there and what that takes, - a
+  /// number; C, L, U, F, T what stands behind camera, light, surfaces, surface NUMBER, script;
+  /// V a part of the view, O on or off; h the word camera.
   std::string_view places;
 };
 
 /// All commands, in the order of the help.
 std::span<const CommandInfo> commands();
+
+/// Whether a command can be that of an edit, where PLACE stands for its NAME.
+bool is_for_parts(Command command);
 
 /// By either name, without case and accents; null where there is none.
 const CommandInfo* find_command(std::string_view word);

@@ -18,17 +18,15 @@ const History::Record& History::undo(Lsu& solids, Looks& looks) {
   const Record& record = records_[--done_];
   revert(record.look_changes, looks);
   solids.revert(record.changes);
-  for (const Change& change : record.changes)
-    if (change.after) change.after->solid.forget_tree();
+  trees_.reverted(record.changes);
   return record;
 }
 
 const History::Record& History::redo(Lsu& solids, Looks& looks) {
   const Record& record = records_[done_++];
   solids.apply(record.changes);
+  trees_.done(record.changes);
   apply(record.look_changes, looks);
-  for (const Change& change : record.changes)
-    if (change.before) change.before->solid.forget_tree();
   return record;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "modeler/looks.h"
 #include "modeler/lsu.h"
+#include "modeler/warm_trees.h"
 
 namespace sir::modeler {
 
@@ -21,6 +23,7 @@ class History {
   /// A command that changed nothing here, but wrote a file, say. Undo and redo pass over it.
   struct Note {
     std::string command;
+    std::filesystem::path file;  ///< that was written
     bool uses_camera = false;
     std::optional<CameraFile> camera;  ///< the one it used; none: none was set
   };
@@ -53,6 +56,7 @@ class History {
   std::vector<Note> first_notes_;
   std::vector<Record> records_;
   std::size_t done_ = 0;  // the records before it are in force
+  WarmTrees trees_;
 };
 
 }  // namespace sir::modeler

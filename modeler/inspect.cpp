@@ -143,11 +143,12 @@ std::string tree_text(const Node& tree, std::size_t most) {
   std::string text;
   std::vector<Open> open{{&tree, 0, true}};
   std::vector<char> goes_on;  // by level: more of that parent is to come
-  std::size_t shown = 0;
+  std::size_t shown = 0;      // and so the place of the next node
+  const std::size_t digits = std::to_string(std::min(most, tree.count) - 1).size();
   while (!open.empty() && shown < most) {
     const auto [node, level, last] = open.back();
     open.pop_back();
-    text += "  ";
+    text += fmt::format("  {:>{}} ", shown, digits);
     for (std::size_t i = 1; i < level; ++i) text += goes_on[i] != 0 ? "│ " : "  ";
     if (level > 0) text += last ? "└ " : "├ ";
     goes_on.resize(std::max(goes_on.size(), level + 1));

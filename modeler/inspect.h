@@ -21,8 +21,8 @@ std::string inspect(const std::string& name, const Node& tree, Aspect aspect = A
 /// digits are lost on the way to SC_LOCAL).
 std::vector<std::string> warnings(const Node& tree, std::size_t most_coincidences = 1000);
 
-/// The tree of composition, a line a node, indented. Of more than `most` nodes, and of those more
-/// than 40 levels deep, it is said how many are left out.
+/// The tree of composition, a line a node, each with its place in preorder(), indented. Of more
+/// than `most` nodes, and of those more than 40 levels deep, it is said how many are left out.
 std::string tree_text(const Node& tree, std::size_t most);
 
 /// "cube", or "difference of "a" and "b", 3 nodes".

@@ -13,37 +13,12 @@
 
 namespace sir::modeler {
 
-namespace {
-
-int axis_of(const std::string& word) {
-  constexpr std::string_view kAxes[] = {"x", "y", "z"};
-  for (int axis = 0; axis < 3; ++axis)
-    if (is_word(word, kAxes[axis], kAxes[axis])) return axis;
-  throw CommandError(in_quotes(word) + " is no axis: x, y or z");
-}
-
-// Twelve numbers, or sixteen with the fourth column.
-Placement placement_of(const std::vector<double>& m) {
-  const std::size_t width = m.size() / 4;
-  Placement lines;
-  for (std::size_t line = 0; line < 4; ++line) {
-    const double* at = m.data() + line * width;
-    const glm::dvec3 v(at[0], at[1], at[2]);
-    if (line < 3) lines.linear[static_cast<int>(line)] = v;
-    else lines.translation = v;
-    if (width == 4 && at[3] != (line == 3 ? 1.0 : 0.0))
-      throw CommandError("the fourth column of a matrix must be 0 0 0 1");
-  }
-  return lines;
-}
-
-}  // namespace
-
 Interpreter::Interpreter(Outlet outlet) : outlet_(std::move(outlet)) {}
 
 Reply Interpreter::execute(std::string_view line) {
   std::vector<std::string> words = split_words(line);
   if (words.empty()) return {};
+  if (line.find('\n') != line.npos) throw CommandError("a command is one line");
   if (outlet_.stop.stop_requested()) throw CommandError("interrupted");
   const CommandInfo* info = find_command(words.front());
   if (info == nullptr) {
@@ -73,15 +48,14 @@ Reply Interpreter::execute(std::string_view line) {
     case Command::translate:
     case Command::scale:
     case Command::rotate:
-    case Command::matrix: {
-      const std::string name = arguments.next();
-      Step::Kind kind = Step::Kind::matrix;
-      if (info->command == Command::transform)
-        kind = value_of(transforms(), arguments.next(), "transform");
-      if (info->command == Command::translate) kind = Step::Kind::translation;
-      if (info->command == Command::scale) kind = Step::Kind::scale;
-      if (info->command == Command::rotate) kind = Step::Kind::rotation;
-      return commit(transform(kind, name, arguments), name + ": transformed");
+    case Command::matrix:
+    case Command::paint:
+    case Command::operation:
+    case Command::label:
+    case Command::edit: {
+      std::string done;
+      Changes changes = edit(*info, arguments, done);
+      return commit(std::move(changes), std::move(done));
     }
     case Command::combine: {
       const std::string name = arguments.next(), left = arguments.next();
@@ -120,12 +94,6 @@ Reply Interpreter::execute(std::string_view line) {
       arguments.end();
       return commit(rename(solids_, name, new_name), fmt::format("{}: was {}", new_name, name));
     }
-    case Command::label: {
-      const std::string name = arguments.next(), text = arguments.next();
-      arguments.end();
-      return commit(label(solids_, name, text),
-                    fmt::format("{}: {} in the .CSG", name, in_quotes(text)));
-    }
     case Command::number: {
       const std::string name = arguments.next();
       FileSlot slot;
@@ -144,11 +112,7 @@ Reply Interpreter::execute(std::string_view line) {
       return commit(std::move(changes),
                     fmt::format("{}: {}", name, type_text(*loaded->solid.tree())));
     }
-    case Command::save: {
-      const std::string name = arguments.next(), file = arguments.next();
-      arguments.end();
-      return noted(arguments, save(name, file));
-    }
+    case Command::save: return save(arguments);
     case Command::show: return show(arguments);
     case Command::inspect: return inspect(arguments);
     case Command::help: return help(arguments);
@@ -167,39 +131,6 @@ Reply Interpreter::execute(std::string_view line) {
       Reply reply;
       reply.quit = true;
       return reply;
-    }
-  }
-  return {};
-}
-
-Changes Interpreter::transform(Step::Kind kind, const std::string& name, Arguments& words) const {
-  require(solids_, name);  // before the numbers: what is wrong first is said first
-  switch (kind) {
-    case Step::Kind::translation: {
-      const auto way = words.numbers();
-      if (way.size() != 3) words.fail();
-      return modeler::transform(solids_, name, translation_by({way[0], way[1], way[2]}));
-    }
-    case Step::Kind::scale: {
-      const auto factors = words.numbers();
-      if (factors.size() != 1 && factors.size() != 3) words.fail();
-      for (const double factor : factors)
-        if (factor == 0) throw CommandError("a scale of 0 would leave nothing of a solid");
-      return modeler::transform(
-          solids_, name,
-          scale_by(factors.size() == 1 ? glm::dvec3(factors[0])
-                                       : glm::dvec3(factors[0], factors[1], factors[2])));
-    }
-    case Step::Kind::rotation: {
-      const int axis = axis_of(words.next());
-      const double degrees = words.number();
-      words.end();
-      return modeler::transform(solids_, name, rotation_about(axis, degrees));
-    }
-    case Step::Kind::matrix: {
-      const auto numbers = words.numbers();
-      if (numbers.size() != 12 && numbers.size() != 16) words.fail();
-      return modeler::transform(solids_, name, matrix_of(placement_of(numbers)));
     }
   }
   return {};
@@ -225,14 +156,14 @@ Reply Interpreter::record(History::Record record, std::string done) {
   return {{}, std::move(done), {}, false};
 }
 
-Reply Interpreter::noted(const Arguments& words, Reply reply) {
-  history_.add({words.text(), false, {}});
+Reply Interpreter::noted(const Arguments& words, const std::filesystem::path& file, Reply reply) {
+  history_.add({words.text(), file, false, {}});
   return reply;
 }
 
-Reply Interpreter::noted(const Arguments& words, Reply reply,
+Reply Interpreter::noted(const Arguments& words, const std::filesystem::path& file, Reply reply,
                          const std::optional<CameraFile>& used) {
-  history_.add({words.text(), true, used});
+  history_.add({words.text(), file, true, used});
   return reply;
 }
 

@@ -89,8 +89,11 @@ class Interpreter {
 
  private:
   class Arguments;
-  Changes transform(Step::Kind kind, const std::string& name, Arguments& words) const;
-  Reply save(const std::string& name, const std::filesystem::path& file);
+  Changes edit(const CommandInfo& info, Arguments& words, std::string& done) const;
+  static void take_ends(Command command, bool in_place, Arguments& words, Edit& edit);
+  static NodeChange change(Command command, Arguments& words);
+  static Step step(Command command, Arguments& words);
+  Reply save(Arguments& words);
   Changes load(const std::string& name, const std::filesystem::path& file) const;
   Reply show(Arguments& words);
   Reply inspect(Arguments& words) const;
@@ -111,8 +114,9 @@ class Interpreter {
   Reply script_command(Arguments& words);
 
   Reply record(History::Record record, std::string done);
-  Reply noted(const Arguments& words, Reply reply);
-  Reply noted(const Arguments& words, Reply reply, const std::optional<CameraFile>& used);
+  Reply noted(const Arguments& words, const std::filesystem::path& file, Reply reply);
+  Reply noted(const Arguments& words, const std::filesystem::path& file, Reply reply,
+              const std::optional<CameraFile>& used);
   void follow(const Changes& changes, bool back);
   void require_writable(const std::filesystem::path& file) const;
 

@@ -76,7 +76,7 @@ Reply Interpreter::camera_command(Arguments& words) {
       words.end();
       require_writable(file);
       write_file_atomically(file, camera_text(camera()));
-      return noted(words, {{}, "wrote " + file.string(), {}, false}, camera());
+      return noted(words, file, {{}, "wrote " + file.string(), {}, false}, camera());
     }
     case CameraWord::frame: {
       words.next();

@@ -1,6 +1,9 @@
 // save and load (thesis 3.2.2.7, 3.2.2.8).
+#include <utility>
+
 #include <fmt/format.h>
 
+#include "modeler/arguments.h"
 #include "modeler/command_error.h"
 #include "modeler/csg.h"
 #include "modeler/interpreter.h"
@@ -32,7 +35,10 @@ void Interpreter::require_writable(const Path& file) const {
   for (const Path& input : protected_) refuse_same_file(file, input);
 }
 
-Reply Interpreter::save(const std::string& name, const Path& given) {
+Reply Interpreter::save(Arguments& words) {
+  const std::string name = words.next();
+  const Path given = words.next();
+  words.end();
   const EntryPtr solid = require(solids_, name);
   const Node& tree = *solid->solid.tree();
   const std::string suffix = suffix_of(given);
@@ -55,7 +61,7 @@ Reply Interpreter::save(const std::string& name, const Path& given) {
   }
   solid->saved = true;
   reply.done = fmt::format("wrote {} ({})", file.string(), counted(tree.count, "node"));
-  return reply;
+  return noted(words, file, std::move(reply));
 }
 
 Changes Interpreter::load(const std::string& name, const Path& given) const {

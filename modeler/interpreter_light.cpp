@@ -117,7 +117,7 @@ Reply Interpreter::light_command(Arguments& words) {
       write_file_atomically(file, lighting_text(now));
       const Reply reply{{}, "wrote " + file.string(), {}, false};
       // What is made up hangs on the camera.
-      return made_up ? noted(words, reply, camera()) : noted(words, reply);
+      return made_up ? noted(words, file, reply, camera()) : noted(words, file, reply);
     }
   }
   return {};

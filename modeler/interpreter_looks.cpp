@@ -128,7 +128,8 @@ Reply Interpreter::show(Arguments& words) {
   if (to_file) {
     outlet_.write_picture(wanted.file, picture);
     reply.done = "wrote " + wanted.file;
-    return wanted.base.empty() ? noted(words, reply, looks_.camera) : noted(words, reply);
+    return wanted.base.empty() ? noted(words, wanted.file, reply, looks_.camera)
+                               : noted(words, wanted.file, reply);
   }
   reply.text = wanted.shaded ? outlet_.draw(picture, columns) : in_dots(picture);
   return reply;

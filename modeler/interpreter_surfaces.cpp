@@ -54,11 +54,12 @@ Reply Interpreter::surfaces_command(Arguments& words) {
       words.end();
       require_writable(file);
       write_file_atomically(file, surfaces_text(looks_.surface_list()));
-      return noted(words, {{},
-                           fmt::format("wrote {} ({})", file.string(),
-                                       counted(looks_.surfaces.size(), "surface")),
-                           {},
-                           false});
+      return noted(
+          words, file,
+          {{},
+           fmt::format("wrote {} ({})", file.string(), counted(looks_.surfaces.size(), "surface")),
+           {},
+           false});
     }
     case SurfacesWord::erase: {
       const std::int64_t number = words.count("surface number");

@@ -1,4 +1,6 @@
 // What is shown, what is selected, and the script of all (the thesis has none of them).
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "modeler/arguments.h"
@@ -13,6 +15,8 @@
 #include "tracer/scene_path.h"
 
 namespace sir::modeler {
+
+using Path = std::filesystem::path;
 
 Reply Interpreter::view_command(Arguments& words) {
   if (words.left() == 0) {
@@ -97,13 +101,23 @@ Reply Interpreter::script_command(Arguments& words) {
   for (const std::string& line : script()) text += line + "\n";
   if (words.left() == 0) return {std::move(text), {}, {}, false};
   value_of(script_words(), words.next(), "word of script");
-  const std::filesystem::path given = words.next();
+  const Path given = words.next();
   words.end();
-  const std::filesystem::path file =
-      given.has_extension() || is_device(given) ? given : with_suffix(given, "model");
-  for (const std::filesystem::path& input : protected_)
+  const Path file = given.has_extension() || is_device(given) ? given : with_suffix(given, "model");
+  for (const Path& input : protected_)
     if (std::find(released_.begin(), released_.end(), input) == released_.end())
       refuse_same_file(file, input);
+  // Run from there, the script could not write over itself.
+  const auto refuse = [&](const std::vector<History::Note>& notes) {
+    for (const History::Note& note : notes) {
+      std::error_code missing;
+      if (!is_device(file) && std::filesystem::equivalent(file, note.file, missing))
+        throw CommandError(fmt::format("{} is what a command of the script writes: {}",
+                                       in_quotes(file.string()), note.command));
+    }
+  };
+  refuse(history_.first_notes());
+  for (const History::Record& record : history_.in_force()) refuse(record.notes);
   write_file_atomically(file, text);
   for (const auto& [place, entry] : solids_.entries()) entry->saved = true;
   return {{}, "wrote " + file.string(), {}, false};

@@ -20,7 +20,6 @@ struct Entry {
   std::string name;
   Solid solid;
   mutable bool saved = false;
-  bool composite() const { return solid.tree()->composite() != nullptr; }
 };
 using EntryPtr = std::shared_ptr<const Entry>;
 

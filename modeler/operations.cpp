@@ -38,6 +38,17 @@ bool is_finite(const Box& box) {
   return true;
 }
 
+bool turns_or_scales(const Step& step) {
+  return step.kind == Step::Kind::scale || step.kind == Step::Kind::rotation;
+}
+
+glm::dvec3 centre_of(const Box& bounds, std::string_view name) {
+  if (is_empty(bounds) || !is_finite(bounds))
+    throw CommandError("the bounds of " + in_quotes(name) + " have no centre to transform about" +
+                       (is_empty(bounds) ? ": the solid is empty" : ""));
+  return bounds.centre();
+}
+
 }  // namespace
 
 void require_name(std::string_view name) {
@@ -85,31 +96,23 @@ std::string free_name(const Lsu& solids, const std::string& name, std::string_vi
 Changes create(const Lsu& solids, const std::string& name, PrimitiveKind kind,
                const std::vector<std::int64_t>& surfaces) {
   require_free(solids, name);
-  const auto faces = static_cast<std::size_t>(face_count(kind));
-  if (surfaces.size() != 1 && surfaces.size() != faces)
-    throw CommandError(
-        "a " + std::string(name_of(kind)) + " takes 1 surface number" +
-        (faces > 1 ? " for all faces or " + std::to_string(faces) + ", one per face" : "") + "; " +
-        std::to_string(surfaces.size()) + " given");
   Primitive primitive;
   primitive.kind = kind;
-  primitive.surface_per_face = surfaces.size() > 1;
-  for (std::size_t face = 0; face < faces; ++face)
-    primitive.surfaces[face] = surfaces[primitive.surface_per_face ? face : 0];
-  return added(solids, entry(name, make_node(name, primitive)));
+  return added(solids, entry(name, make_node(name, painted(primitive, surfaces))));
+}
+
+Changes edit(const Lsu& solids, std::string_view name, Edit edit) {
+  const EntryPtr solid = require(solids, name);
+  if (Step* step = std::get_if<Step>(&edit.change); step != nullptr && turns_or_scales(*step)) {
+    const Node& node = *node_at(*solid->solid.tree(), edit.place);
+    if (node.composite() != nullptr || edit.about_centre)
+      step->centre = centre_of(node.bounds, edit.place > 0 ? node.name : name);
+  }
+  return replaced(solids, solid, entry(solid->name, solid->solid.edited(std::move(edit))));
 }
 
 Changes transform(const Lsu& solids, std::string_view name, Step step) {
-  const EntryPtr solid = require(solids, name);
-  const bool turns = step.kind == Step::Kind::scale || step.kind == Step::Kind::rotation;
-  if (turns && solid->composite()) {
-    const Box& bounds = solid->solid.tree()->bounds;
-    if (is_empty(bounds) || !is_finite(bounds))
-      throw CommandError("the bounds of " + in_quotes(name) + " have no centre to transform about" +
-                         (is_empty(bounds) ? ": the solid is empty" : ""));
-    step.centre = bounds.centre();
-  }
-  return replaced(solids, solid, entry(solid->name, solid->solid.transformed(step)));
+  return edit(solids, name, {0, step});
 }
 
 Changes combine(const Lsu& solids, const std::string& name, std::string_view left,
@@ -120,11 +123,7 @@ Changes combine(const Lsu& solids, const std::string& name, std::string_view lef
     throw CommandError("a solid cannot be combined with itself; copy " + in_quotes(left) +
                        " first");
   const NodePtr &left_tree = left_solid->solid.tree(), &right_tree = right_solid->solid.tree();
-  if (operation != Operation::union_of && !apart && !meet(left_tree->bounds, right_tree->bounds))
-    throw CommandError(
-        "there is no intersection between " + in_quotes(left) + " and " + in_quotes(right) +
-        ": their bounds do not meet, so the " + std::string(name_of(operation)) +
-        (operation == Operation::intersection ? " would be empty" : " would take nothing away"));
+  if (!apart) require_meeting(operation, left, left_tree->bounds, right, right_tree->bounds);
   Changes changes =
       added(solids, entry(name, make_node(name, Composite{operation, left_tree, right_tree})));
   changes.push_back({solids.place_of(left), left_solid, nullptr});
@@ -172,9 +171,7 @@ Changes rename(const Lsu& solids, std::string_view name, const std::string& new_
 }
 
 Changes label(const Lsu& solids, std::string_view name, const std::string& label) {
-  const EntryPtr solid = require(solids, name);
-  require_name(label);
-  return replaced(solids, solid, entry(solid->name, renamed(*solid->solid.tree(), label)));
+  return edit(solids, name, {0, Label{label}, false});
 }
 
 Changes number(const Lsu& solids, std::string_view name, FileSlot slot) {

@@ -21,9 +21,13 @@ namespace sir::modeler {
 Changes create(const Lsu& solids, const std::string& name, PrimitiveKind kind,
                const std::vector<std::int64_t>& surfaces);
 
-/// Transforma sólido (3.2.2.2): appends the step to every LOCAL_CENA. Scale and rotation of a
-/// composite act about the centre of its bounds, all else about the origin of SC_CENA. Refuses what
-/// would make a matrix singular.
+/// Changes a node of a solid in place (see modeler/edit.h); the place is in its tree. Scale and
+/// rotation of a composite act about the centre of its bounds, all else about the origin of
+/// SC_CENA.
+Changes edit(const Lsu& solids, std::string_view name, Edit edit);
+
+/// Transforma sólido (3.2.2.2): the same with a step for the whole solid, which is appended to
+/// every LOCAL_CENA. Refuses what would make a matrix singular.
 Changes transform(const Lsu& solids, std::string_view name, Step step);
 
 /// Combina sólidos (3.2.2.3): both become parts of the new one. Refuses one solid twice and, but

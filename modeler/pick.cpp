@@ -38,11 +38,14 @@ Picker::Picker(NodePtr solid, const CameraFile& camera, ImageSize size)
 
 std::optional<Pick> Picker::at(int column, int row) {
   TraceLog log;
-  tracer_.radiance(model_->camera.primary_ray(column, row, size_), &log);
+  const auto ray = model_->camera.primary_ray(column, row, size_);
+  tracer_.radiance(ray, &log);
   const TraceNode& first = log.front();
   if (!first.hit) return std::nullopt;
   const std::size_t place = places_.at(first.node);
-  return Pick{nodes_[place], place, first.face, scene_.surfaces[first.surface].number, first.t};
+  return Pick{nodes_[place], place,
+              first.face,    scene_.surfaces[first.surface].number,
+              first.t,       ray.origin.v + first.t * ray.direction.v};
 }
 
 }  // namespace sir::modeler

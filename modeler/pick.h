@@ -24,6 +24,7 @@ struct Pick {
   int face = 0;                ///< as in the .CSG
   std::int64_t surface = 0;    ///< number
   double t = 0;                ///< in units of the ray's direction, from the screen on
+  glm::dvec3 point{0};         ///< in SC_CENA
 };
 
 /// A solid made ready to be asked about many pixels. For one thread.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
 #include "tracer/numeric.h"
@@ -24,6 +26,14 @@ struct ScreenFrame {
   glm::dvec3 observe(const glm::dvec3& point) const {
     const glm::dvec3 from = point - origin;
     return {glm::dot(right, from), glm::dot(up, from), glm::dot(normal, from)};
+  }
+
+  /// From directions of SC_CENA to those of SC_OBS.
+  glm::dmat3 turn() const { return glm::transpose(glm::dmat3(right, up, normal)); }
+
+  /// A direction of SC_OBS in SC_CENA.
+  glm::dvec3 turned_back(const glm::dvec3& way) const {
+    return way.x * right + way.y * up + way.z * normal;
   }
 };
 

@@ -1,72 +1,89 @@
 #include "modeler/solid.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
-
-#include "modeler/command_error.h"
-#include "tracer/text_file.h"
 
 namespace sir::modeler {
 namespace {
 
-Primitive transformed(const Node& node, const Primitive& primitive, const Step& step) {
-  Primitive result = primitive;
-  result.local_cena = appended(primitive.local_cena, step);
-  if (!is_usable(result.local_cena))
-    throw CommandError("that would make the matrix of " + in_quotes(node.name) +
-                       " singular, or its numbers too large");
-  return result;
+double length_of(const glm::dvec3& way) {
+  return std::abs(way.x) + std::abs(way.y) + std::abs(way.z);
+}
+
+// Of the longest translation; infinite where one of the matrices cannot be a solid's at all.
+double reach_of(const Node& tree) {
+  double reach = 0;
+  for (const Node* node : preorder(tree)) {
+    const Primitive* primitive = node->primitive();
+    if (primitive == nullptr) continue;
+    if (!is_usable(primitive->local_cena)) return std::numeric_limits<double>::infinity();
+    reach = std::max(reach, length_of(primitive->local_cena.translation));
+  }
+  return reach;
 }
 
 }  // namespace
 
-NodePtr transformed(const Node& tree, const Step& step) {
-  const std::vector<const Node*> nodes = preorder(tree);
-  // Backwards every node comes after its children, the left one last.
-  std::vector<NodePtr> done;
-  for (auto at = nodes.rbegin(); at != nodes.rend(); ++at) {
-    const Node& node = **at;
-    if (const Primitive* primitive = node.primitive()) {
-      done.push_back(make_node(node.name, transformed(node, *primitive, step), node.slot));
-      continue;
-    }
-    NodePtr left = std::move(done.back());
-    done.pop_back();
-    done.back() = make_node(
-        node.name, Composite{node.composite()->operation, std::move(left), std::move(done.back())},
-        node.slot);
-  }
-  return std::move(done.back());
-}
-
-Solid::Solid(NodePtr tree) : base_(tree), tree_(std::move(tree)) {}
+Solid::Solid(NodePtr tree) : base_(tree), near_(std::move(tree)) {}
 
 const NodePtr& Solid::tree() const {
-  if (!tree_) {
-    std::vector<const Path*> steps;
-    for (const Path* at = path_.get(); at != nullptr; at = at->before.get()) steps.push_back(at);
-    NodePtr tree = base_;
-    for (auto at = steps.rbegin(); at != steps.rend(); ++at)
-      tree = modeler::transformed(*tree, (*at)->step);
-    tree_ = std::move(tree);
+  if (near_path_ != path_) {
+    std::vector<const Edit*> edits;
+    for (const Path* at = path_.get(); at != near_path_.get(); at = at->before.get())
+      edits.push_back(&at->edit);
+    std::reverse(edits.begin(), edits.end());
+    near_ = modeler::edited(std::move(near_), edits);
+    near_path_ = path_;
   }
-  return tree_;
+  return near_;
 }
 
-Solid Solid::transformed(const Step& step) const {
-  NodePtr result = modeler::transformed(*tree(), step);
-  // A primitive is no larger than the way to it.
-  if (result->primitive() != nullptr) return Solid(std::move(result));
-  Solid solid(steps_ < kMostSteps ? base_ : tree());
-  const bool goes_on = steps_ < kMostSteps;
-  solid.path_ = std::make_shared<const Path>(Path{step, goes_on ? path_ : nullptr});
+// Whether a translation by this leaves all matrices usable, whatever the tree is.
+bool Solid::bears(const glm::dvec3& way) const {
+  constexpr double kFarthest = 1e300;  // far from where sums become infinite
+  if (!reach_) reach_ = reach_of(*tree());
+  return *reach_ + length_of(way) <= kFarthest;
+}
+
+Solid Solid::edited(Edit edit) const {
+  // A translation needs nothing from the tree, and cannot be refused: a hand that drags gives
+  // hundreds of them, scripts thousands.
+  const Step* step = std::get_if<Step>(&edit.change);
+  const bool waits = composite() && edit.place == 0 && step != nullptr &&
+                     step->kind == Step::Kind::translation && bears(step->translation);
+  NodePtr result;
+  if (!waits) {
+    result = modeler::edited(tree(), edit);
+    // A primitive is no larger than the way to it.
+    if (!composite()) return Solid(std::move(result));
+  }
+  const bool goes_on = steps_ < most_steps(count());
+  Solid solid(goes_on ? base_ : tree());
+  if (goes_on) {
+    solid.near_ = near_;
+    solid.near_path_ = near_path_;
+  }
+  if (waits) solid.reach_ = *reach_ + length_of(step->translation);
+  solid.path_ = std::make_shared<const Path>(Path{std::move(edit), goes_on ? path_ : nullptr});
   solid.steps_ = goes_on ? steps_ + 1 : 1;
-  solid.tree_ = std::move(result);
+  if (result) {
+    solid.near_ = std::move(result);
+    solid.near_path_ = solid.path_;
+  }
   return solid;
 }
 
 void Solid::forget_tree() const {
-  if (path_) tree_.reset();
+  near_ = base_;
+  near_path_ = nullptr;
+}
+
+std::size_t Solid::most_steps(std::size_t nodes) {
+  constexpr std::size_t kMostWork = std::size_t{1} << 21;  // nodes
+  return std::max<std::size_t>(kMostSteps, std::min(nodes, kMostWork / nodes));
 }
 
 }  // namespace sir::modeler

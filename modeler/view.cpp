@@ -7,26 +7,13 @@
 #include <glm/geometric.hpp>
 
 #include "modeler/csg.h"
+#include "modeler/screen_frame.h"
 
 namespace sir::modeler {
 namespace {
 
 constexpr glm::dvec3 kDirection(-0.5, -0.5, -1);
 constexpr double kMargin = 1.1;  // 5 % on each side
-
-// CENA_OBS: rows right, up, into the scene; and the screen's centre.
-struct Observer {
-  glm::dmat3 turn;
-  glm::dvec3 origin;
-
-  explicit Observer(const CameraFile& camera) {
-    const glm::dvec3 normal = glm::normalize(camera.normal);
-    const glm::dvec3 right = glm::normalize(glm::cross(normal, camera.up));
-    turn = glm::transpose(glm::dmat3(right, glm::cross(right, normal), normal));
-    origin = camera.target - camera.distance * normal;
-  }
-  glm::dvec3 observe(const glm::dvec3& point) const { return turn * (point - origin); }
-};
 
 // A hue of its own for each number: turned by the golden angle from one to the next.
 glm::dvec3 hue_of(std::int64_t number) {
@@ -50,13 +37,13 @@ CameraFile framing(const Box& bounds, double aspect) {
   camera.distance = radius;  // the screen touches the sphere around the box
   camera.focal = 3 * radius;
   camera.focal_given = true;
-  const Observer observer(camera);
+  const ScreenFrame frame(camera);
   double width = 0, height = 0;
   for (int corner = 0; corner < 8; ++corner) {
     glm::dvec3 point;
     for (int axis = 0; axis < 3; ++axis)
       point[axis] = (corner >> axis & 1) != 0 ? bounds.high[axis] : bounds.low[axis];
-    const glm::dvec3 seen = observer.observe(point);
+    const glm::dvec3 seen = frame.observe(point);
     const double shrink = camera.focal / (camera.focal + seen.z);
     width = std::max(width, 2 * std::abs(seen.x) * shrink);
     height = std::max(height, 2 * std::abs(seen.y) * shrink);
@@ -67,14 +54,15 @@ CameraFile framing(const Box& bounds, double aspect) {
 }
 
 std::vector<Box> bounds_in_obs(const Node& tree, const CameraFile& camera) {
-  const Observer observer(camera);
+  const ScreenFrame frame(camera);
+  const glm::dmat3 turn = frame.turn();
   const std::vector<const Node*> nodes = preorder(tree);
   std::vector<Box> boxes(nodes.size());
   for (std::size_t i = nodes.size(); i-- > 0;) {
     if (const Primitive* primitive = nodes[i]->primitive()) {
       LocalCena<double> local_obs;
-      local_obs.linear = observer.turn * primitive->local_cena.linear;
-      local_obs.translation = observer.observe(primitive->local_cena.translation);
+      local_obs.linear = turn * primitive->local_cena.linear;
+      local_obs.translation = frame.observe(primitive->local_cena.translation);
       boxes[i] = tight_bounds_of(primitive->kind, local_obs);
     } else {
       const Composite& composite = *nodes[i]->composite();
@@ -122,14 +110,13 @@ Surface made_up_surface(std::int64_t number) {
 }
 
 Lighting made_up_lighting(const CameraFile& camera) {
-  const Observer observer(camera);
+  const ScreenFrame frame(camera);
   Lighting lighting;
   lighting.background = {0.12, 0.14, 0.18};
   lighting.ambient = glm::dvec3(0.35);
   const double far = 10 * (camera.distance + camera.focal);
   lighting.lights.push_back(
-      {observer.origin + far * (glm::transpose(observer.turn) * glm::dvec3(-0.6, 0.8, -1)),
-       glm::dvec3(0.8)});
+      {frame.origin + far * frame.turned_back({-0.6, 0.8, -1}), glm::dvec3(0.8)});
   return lighting;
 }
 

@@ -45,6 +45,25 @@ TEST_F(ModelCli, AnErrorNamesTheScriptAndTheLineAndExitsWithOne) {
   EXPECT_THAT(folder.read("self.model"), HasSubstr("create a cube 1"));
 }
 
+TEST_F(ModelCli, LooksAreSaidInScriptsToo) {
+  folder.write("a.model",
+               "create a cube 1\ncamera target 0.5 0.5 0.5 distance 4\n"
+               "light set ambient 0.25 add 5 5 5 1\nsurface 1 colour 0.75 0.5 0.25\n"
+               "camera save a\nlight save a\nsurfaces save a\nsave a a\n"
+               "show a shown --shaded --size 32x24\nselect a 0 2\nscript save again\nscript\n");
+  const Ended ended = sir({"model", "a.model"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(ended.out, folder.read("again.model"));
+  EXPECT_EQ(sir({"render", "a", "--size", "32x24"}).exit_code, 0);
+  EXPECT_EQ(folder.read("a.png"), folder.read("shown.png"));
+  const Ended again = sir_reading(folder.read("again.model") + "script\n", {"model"});
+  EXPECT_EQ(again.out, folder.read("again.model")) << again.err;
+  folder.write("b.model", "create a cube 1\nlight move 2 0 0 0\n");
+  expect_failure(sir({"model", "b.model"}), "b.model:2: there is no light 2");
+  folder.write("c.model", "create a cube 1\nscript save c\n");
+  expect_failure(sir({"model", "c.model"}), "c.model:2: c.model: is an input");
+}
+
 TEST_F(ModelCli, AWindowNeedsADisplay) {
   for (const char* name : {"SDL_VIDEODRIVER", "DISPLAY", "WAYLAND_DISPLAY"}) ::unsetenv(name);
   // A library of the desktop would complain of its own.

@@ -8,6 +8,7 @@
 #include "modeler/command_error.h"
 #include "modeler/csg.h"
 #include "modeler/interpreter.h"
+#include "modeler/look_text.h"
 #include "tests/temp_folder.h"
 #include "tracer/scene_file.h"
 
@@ -19,6 +20,16 @@ inline std::string state_of(const modeler::Interpreter& interpreter) {
   for (const auto& [place, entry] : interpreter.solids().entries())
     text += entry->name + "\n" + csg_text(modeler::to_csg(*entry->solid.tree()));
   return text;
+}
+
+/// What solids are looked at with and how, bit for bit.
+inline std::string looks_of(const modeler::Interpreter& interpreter) {
+  const modeler::Looks& looks = interpreter.looks();
+  std::string text = modeler::camera_line(looks.camera) + "\n" +
+                     modeler::light_line(looks.lighting) + "\n" +
+                     surfaces_text(looks.surface_list());
+  for (const std::string& line : modeler::view_lines(interpreter.view())) text += line + "\n";
+  return text + modeler::select_line(interpreter.selection()) + "\n";
 }
 
 class ModelerTest : public testing::Test {
@@ -42,7 +53,7 @@ class ModelerTest : public testing::Test {
 
   /// The command is refused for this reason, and all is as before.
   void expect_refused(const std::string& line, const std::string& reason) {
-    const std::string before = state_of(interpreter);
+    const std::string before = state_of(interpreter) + looks_of(interpreter);
     const auto script = interpreter.script();
     std::string said = "(it was done)";
     try {
@@ -51,7 +62,7 @@ class ModelerTest : public testing::Test {
       said = error.what();
     }
     EXPECT_THAT(said, testing::HasSubstr(reason)) << line;
-    EXPECT_EQ(state_of(interpreter), before) << line;
+    EXPECT_EQ(state_of(interpreter) + looks_of(interpreter), before) << line;
     EXPECT_EQ(interpreter.script(), script) << line;
   }
 

@@ -325,8 +325,8 @@ TEST_F(Look, InspectTellsWhatIsAskedFor) {
         "CENA_LOCAL of \"furo\"\n    2     0   0  0\n    0     0  -2  0\n    0  0.25   0  0\n"
         "    0   0.5   0  1\n",
         "surfaces 1, 2, 3\n",
-        "  bola furada: difference\n  ├ bola: sphere, surface 1\n"
-        "  └ furo: cylinder, surfaces Y=0 2, Y=1 2, side 3\n",
+        "  0 bola furada: difference\n  1 ├ bola: sphere, surface 1\n"
+        "  2 └ furo: cylinder, surfaces Y=0 2, Y=1 2, side 3\n",
         "volume 2.72", "no warnings\n"})
     EXPECT_THAT(all, HasSubstr(part));
   const std::string volume = say("verifica \"bola furada\" volume").text;

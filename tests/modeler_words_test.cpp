@@ -76,6 +76,40 @@ TEST_F(Completion, OffersWhatFits) {
   EXPECT_THAT(words("nonsense b"), ElementsAre());
 }
 
+TEST_F(Completion, OffersLooks) {
+  EXPECT_THAT(words("cam"), ElementsAre("camera"));
+  EXPECT_THAT(words("surf"), ElementsAre("surface", "surfaces"));
+  EXPECT_THAT(words("camera p"), ElementsAre("pan", "parallel", "perspective"));
+  EXPECT_THAT(words("camera target "), ElementsAre());
+  EXPECT_THAT(words("câmera alvo 1 2 3 f"), ElementsAre("focal"));
+  EXPECT_THAT(words("camera target 1 2 3 focal "), ElementsAre("auto"));
+  EXPECT_THAT(words("camera target 1 2 3 focal auto p"), ElementsAre("parallel", "perspective"));
+  EXPECT_THAT(words("camera turn 1 "), ElementsAre());
+  EXPECT_THAT(words("camera frame b"), ElementsAre("bola", "\"bola furada\""));
+  EXPECT_THAT(words("light a"), ElementsAre("add", "ambient", "auto"));
+  EXPECT_THAT(words("luz fu"), ElementsAre("fundo"));
+  EXPECT_THAT(words("light set a"), ElementsAre("add", "ambient"));
+  EXPECT_THAT(words("light set ambient 1 b"), ElementsAre("background"));
+  EXPECT_THAT(words("light move "), ElementsAre());
+  EXPECT_THAT(words("surfaces "), ElementsAre("delete", "load", "save"));
+  EXPECT_THAT(words("surface 1 in"), ElementsAre("index"));
+  EXPECT_THAT(words("surface 1 name x sp"), ElementsAre("specular"));
+  EXPECT_THAT(words("surface 1 colour "), ElementsAre());
+  EXPECT_THAT(words("surface "), ElementsAre());
+  EXPECT_THAT(words("view g"), ElementsAre("ghosts", "grid"));
+  EXPECT_THAT(words("view grid "), ElementsAre("off", "on"));
+  EXPECT_THAT(words("view grid on "), ElementsAre());
+  EXPECT_THAT(words("select C"), ElementsAre("Cálice"));
+  EXPECT_THAT(words("script "), ElementsAre("save"));
+  EXPECT_THAT(words("undo "), ElementsAre("camera"));
+  folder.write("x.CAM", "");
+  const std::string at = folder.path().string() + "/";
+  for (const char* line :
+       {"camera load ", "camera save ", "light load ", "surfaces save ", "script save "})
+    EXPECT_THAT(words(line + at), ElementsAre(at + "x.CAM")) << line;
+  EXPECT_THAT(words("surfaces delete " + at), ElementsAre());
+}
+
 TEST_F(Completion, OffersFiles) {
   folder.write("um.CSG", "");
   folder.write("um dois.CSG", "");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 #include "modeler/command_error.h"
 #include "modeler/command_line.h"
 #include "modeler/look_text.h"
-#include "modeler/pick.h"
 #include "modeler/script.h"
 #include "tracer/error.h"
 #include "tracer/scene_path.h"
@@ -22,29 +22,6 @@ using modeler::as_word;
 using modeler::Node;
 using modeler::NodePtr;
 
-// All solids as one; each after its last, so that the preorder begins with as many unions.
-NodePtr all_of(const modeler::Lsu& solids) {
-  NodePtr all;
-  for (const auto& [place, entry] : solids.entries()) {
-    const NodePtr& tree = entry->solid.tree();
-    all =
-        all ? modeler::make_node("", modeler::Composite{Operation::union_of, std::move(all), tree})
-            : tree;
-  }
-  return all;
-}
-
-// Which solid a node of all_of() belongs to.
-std::optional<Selection> find(const modeler::Lsu& solids, std::size_t place) {
-  std::size_t first = solids.size() - 1;
-  for (const auto& [key, entry] : solids.entries()) {
-    const std::size_t count = entry->solid.tree()->count;
-    if (place < first + count) return Selection{entry->name, place - first};
-    first += count;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 ModelDesk::ModelDesk(DeskOptions options)
@@ -52,6 +29,7 @@ ModelDesk::ModelDesk(DeskOptions options)
 
 template <typename Work>
 bool ModelDesk::attempt(Work work) {
+  script_known_ = false;
   try {
     work();
     return true;
@@ -82,7 +60,19 @@ bool ModelDesk::quietly(const std::string& line) {
   });
 }
 
+const std::vector<std::string>& ModelDesk::script() const {
+  if (!std::exchange(script_known_, true)) script_ = interpreter_.script();
+  return script_;
+}
+
+bool ModelDesk::try_script(const Path& file) {
+  end_drag();
+  warned_ = false;
+  return attempt([&] { run_script(file); });
+}
+
 void ModelDesk::run_script(const Path& file) {
+  script_known_ = false;
   interpreter_.protect(file);
   TextFile text(file);
   modeler::run_script(text, interpreter_, [this](const modeler::Reply& reply) { say(reply); });
@@ -90,6 +80,7 @@ void ModelDesk::run_script(const Path& file) {
 }
 
 void ModelDesk::open(const Path& base) {
+  script_known_ = false;
   const std::string name = as_word(base.filename().string());
   const auto loaded = interpreter_.execute("load " + name + " " + as_word(base.string()));
   constexpr std::pair<const char*, const char*> kLooks[] = {
@@ -141,17 +132,16 @@ bool ModelDesk::select(const std::optional<Selection>& selection) {
 }
 
 void ModelDesk::select_at(int column, int row) {
-  const ImageSize size = picture_size();
-  if (column < 0 || row < 0 || column >= size.width || row >= size.height) return;
-  const NodePtr tree = shown();
-  if (!tree) return;
-  modeler::Picker picker(tree, camera(), size);
-  const auto pick = picker.at(column, row);
-  std::optional<Selection> found;
-  if (pick && view().alone && selection()) found = Selection{selection()->solid, pick->place};
-  else if (pick) found = find(interpreter_.solids(), pick->place);
-  if (found) found->face = pick->face;
-  select(found);
+  const auto found = probe(column, row);
+  select(found ? std::optional(found->what) : std::nullopt);
+}
+
+std::optional<Probed> ModelDesk::probe(int column, int row) {
+  try {
+    return probe_.at(interpreter_, picture_size(), column, row);
+  } catch (const std::exception&) {
+    return std::nullopt;  // what cannot be traced has no picture either: trouble() says why
+  }
 }
 
 void ModelDesk::set_view(const ViewSettings& wanted) {
@@ -219,11 +209,6 @@ ImageSize ModelDesk::picture_size() const {
   return {pixels(room_.height * aspect, room_.width), pixels(room_.width / aspect, room_.height)};
 }
 
-NodePtr ModelDesk::shown() const {
-  if (!view().alone || !selection()) return all_of(interpreter_.solids());
-  return interpreter_.solids().find(selection()->solid)->solid.tree();
-}
-
 std::vector<modeler::GuideLine> ModelDesk::guides(const Node& shown) const {
   std::vector<modeler::GuideLine> lines;
   const auto add = [&](const std::vector<modeler::GuideLine>& more) {
@@ -240,7 +225,7 @@ void ModelDesk::refresh() {
   if (!dirty_) return;
   dirty_ = false;
   modeler::PreviewRequest request;
-  request.solid = shown();
+  request.solid = probe_.shown(interpreter_);
   request.camera = camera();
   request.lighting = interpreter_.looks().lighting;
   request.surfaces = interpreter_.looks().surface_list();

@@ -12,6 +12,7 @@
 
 #include "modeler/interpreter.h"
 #include "modeler/preview.h"
+#include "viewer/model_probe.h"
 
 namespace sir::viewer {
 
@@ -38,6 +39,10 @@ class ModelDesk {
   /// Throws FileError.
   void open(const std::filesystem::path& base);
 
+  /// The same for a person who looks on: false where a command is refused, which message() tells.
+  /// What was done before it stays done.
+  bool try_script(const std::filesystem::path& file);
+
   /// Does one command; false where it is refused.
   bool execute(const std::string& line);
 
@@ -48,7 +53,7 @@ class ModelDesk {
   void end_drag();
 
   const modeler::Interpreter& interpreter() const { return interpreter_; }
-  std::vector<std::string> script() const { return interpreter_.script(); }
+  const std::vector<std::string>& script() const;
 
   /// What the last command had to say, or why it was refused.
   const std::string& message() const { return message_; }
@@ -59,6 +64,9 @@ class ModelDesk {
   const modeler::Node* selected_node() const;
   bool select(const std::optional<Selection>& selection);
   void select_at(int column, int row);  ///< of the picture; the background selects nothing
+
+  /// What is at a pixel of the picture.
+  std::optional<Probed> probe(int column, int row);
 
   const ViewSettings& view() const { return interpreter_.view(); }
   void set_view(const ViewSettings& view);
@@ -89,6 +97,9 @@ class ModelDesk {
   void refresh();
   std::shared_ptr<const modeler::PreviewPicture> picture() const { return preview_.take(); }
 
+  /// Why there is no picture of what there is; "" where there is one, or will be.
+  std::string trouble() const { return preview_.error(); }
+
   /// Whether the picture is not yet that of what there is.
   bool busy() const { return dirty_ || preview_.busy(); }
 
@@ -101,14 +112,16 @@ class ModelDesk {
   bool attempt(Work work);
   void say(const modeler::Reply& reply);
   bool quietly(const std::string& line);
-  modeler::NodePtr shown() const;
   std::vector<modeler::GuideLine> guides(const modeler::Node& shown) const;
 
   modeler::Interpreter interpreter_;
   std::string message_;
   bool refused_ = false, closed_ = false, warned_ = false;
   bool dragging_ = false;
-  bool drag_done_ = false;  // the last command of the drag can be undone
+  bool drag_done_ = false;                   // the last command of the drag can be undone
+  mutable std::vector<std::string> script_;  // once it was asked for
+  mutable bool script_known_ = false;
+  ModelProbe probe_;
   ImageSize room_;
   bool dirty_ = true;
   modeler::Preview preview_;  // the last member: its thread wakes the others

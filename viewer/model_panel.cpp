@@ -4,31 +4,27 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "modeler/command_line.h"
+#include "viewer/model_fields.h"
+#include "viewer/model_style.h"
 
 namespace sir::viewer {
 namespace {
 
-constexpr float kBelow = 195;  // of the commands' part
-const ImVec4 kAlarm{1.0f, 0.45f, 0.35f, 1.0f};
+constexpr float kScript = 84, kMessage = 58;  // heights
 
 }  // namespace
 
-void ModelPanel::draw(ModelDesk& desk) {
+void ModelPanel::draw(ModelDesk& desk, ModelHand& hand) {
   spots_.clear();
-  reveal_ = desk.selection() != revealed_;
-  revealed_ = desk.selection();
-  ImGui::BeginChild("parts", {0, -kBelow});
-  if (button("Undo")) pending_ = "undo";
-  ImGui::SameLine();
-  if (button("Redo")) pending_ = "redo";
-  ImGui::SameLine();
-  if (button("Frame")) desk.frame();
-  ImGui::SameLine();
-  ImGui::TextDisabled("left, right drag, wheel: camera");
+  const auto& selection = desk.interpreter().selection();
+  reveal_ = selection != revealed_;
+  revealed_ = selection;
+  draw_tools(desk, hand);
   draw_view(desk);
+  const float below = kScript + kMessage + ImGui::GetFrameHeight() + 22;
+  ImGui::BeginChild("parts", {0, -below});
   if (part("Solids", true)) draw_solids(desk);
   if (part("Selected", true)) draw_selected(desk);
   if (part("Create", true)) draw_create(desk);
@@ -36,55 +32,86 @@ void ModelPanel::draw(ModelDesk& desk) {
   if (part("Combine", false)) draw_combine(desk);
   if (part("Camera", false)) draw_camera(desk);
   if (part("Light", false)) draw_light(desk);
-  if (part("File", false)) draw_file(desk);
+  if (part("Surfaces", false)) draw_surfaces(desk);
   ImGui::EndChild();
-  ImGui::Separator();
   draw_commands(desk);
-  if (pending_.empty()) return;
-  desk.execute(pending_);
-  pending_.clear();
+  files_.draw(desk, [this](const std::string& label) { note(label); });
+  for (const std::string& line : std::exchange(pending_, {}))
+    if (!desk.execute(line)) break;
+  // A drag ends where the hand lets go of the field.
+  const bool active = ImGui::IsAnyItemActive();
+  if (std::exchange(active_, active) && !active) desk.end_drag();
+}
+
+void ModelPanel::draw_tools(ModelDesk& desk, ModelHand& hand) {
+  if (button("File")) ImGui::OpenPopup("file menu");
+  if (ImGui::BeginPopup("file menu")) {
+    files_.draw_menu(desk, [this](const std::string& label) { note(label); });
+    ImGui::EndPopup();
+  }
+  ImGui::SameLine();
+  if (button("Undo")) pending_.push_back("undo");
+  ImGui::SameLine();
+  if (button("Redo")) pending_.push_back("redo");
+  ImGui::SameLine();
+  if (button("Frame")) desk.frame();
+  struct Tool {
+    const char* label;
+    HandleKind kind;
+    const char* tip;
+  };
+  constexpr std::array kTools{
+      Tool{"Move", HandleKind::move, "handles that move (G)"},
+      Tool{"Turn", HandleKind::turn, "handles that turn (R)"},
+      Tool{"Scale", HandleKind::scale, "handles that scale (S)"},
+  };
+  float width = 0;
+  for (const Tool& tool : kTools)
+    width += ImGui::CalcTextSize(tool.label).x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width - 4);
+  for (const Tool& tool : kTools) {
+    if (chip(tool.label, hand.kind == tool.kind, tool.tip))
+      hand.kind = hand.kind == tool.kind ? std::nullopt : std::optional(tool.kind);
+    note(tool.label);
+    ImGui::SameLine(0, 2);
+  }
+  ImGui::NewLine();
 }
 
 void ModelPanel::draw_commands(ModelDesk& desk) {
-  const std::vector<std::string> script = desk.script();
-  ImGui::BeginChild("script", {0, 90}, true);
+  const std::vector<std::string>& script = desk.script();
+  ImGui::BeginChild("script", {0, kScript}, true);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(script.size()));
   while (clipper.Step())
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-      ImGui::TextUnformatted(script[static_cast<std::size_t>(i)].c_str());
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const std::string& line = script[static_cast<std::size_t>(i)];
+      ImGui::PushID(i);
+      if (ImGui::Selectable("##line")) line_.propose(line);
+      ImGui::PopID();
+      note("line " + std::to_string(i + 1));
+      ImGui::SameLine(0, 0);
+      ImGui::TextUnformatted(line.c_str());
+    }
   if (std::exchange(commands_, script.size()) != script.size()) ImGui::SetScrollHereY(1);
   ImGui::EndChild();
-  ImGui::BeginChild("message", {0, 62}, true);
+  ImGui::BeginChild("message", {0, kMessage}, true);
   ImGui::PushTextWrapPos(0);
-  if (desk.refused()) ImGui::PushStyleColor(ImGuiCol_Text, kAlarm);
-  ImGui::TextUnformatted(desk.message().c_str());
-  if (desk.refused()) ImGui::PopStyleColor();
+  const std::string trouble = desk.trouble();
+  if (!line_.offered().empty()) {
+    ImGui::TextColored(kQuiet, "%s", line_.offered().c_str());
+  } else if (desk.refused() || !trouble.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kAlarm);
+    ImGui::TextUnformatted((desk.refused() ? desk.message() : trouble).c_str());
+    ImGui::PopStyleColor();
+  } else {
+    ImGui::TextUnformatted(desk.message().c_str());
+  }
   ImGui::PopTextWrapPos();
   ImGui::EndChild();
   ImGui::SetNextItemWidth(-1);
-  if (std::exchange(to_line_, false)) ImGui::SetKeyboardFocusHere();
-  if (input("##command", line_, ImGuiInputTextFlags_EnterReturnsTrue)) {
-    pending_ = line_.data();
-    line_[0] = 0;
-    to_line_ = true;
-  }
+  if (auto line = line_.draw(desk.interpreter())) pending_.push_back(std::move(*line));
   note("command");
-}
-
-void ModelPanel::draw_file(ModelDesk& desk) {
-  ImGui::SetNextItemWidth(200);
-  input("file", file_name_);
-  const std::string file = file_name_.data();
-  const auto save = [&](const char* label) { return button(label) && !file.empty(); };
-  if (save("Save .CSG") && desk.selection())
-    pending_ = "save " + modeler::as_word(desk.selection()->solid) + " " + modeler::as_word(file);
-  ImGui::SameLine();
-  if (save("Save .CAM")) desk.save_camera(file);
-  ImGui::SameLine();
-  if (save("Save .LUZ")) desk.save_lighting(file);
-  ImGui::SameLine();
-  if (save("Save script")) desk.save_script(file);
 }
 
 bool ModelPanel::button(const char* label) {
@@ -107,7 +134,8 @@ bool ModelPanel::input(const char* label, Text& text, int flags) {
 
 void ModelPanel::choose_solid(const ModelDesk& desk, const char* label, std::string& name) {
   if (desk.interpreter().solids().find(name) == nullptr) name.clear();
-  if (ImGui::BeginCombo(label, name.c_str())) {
+  const std::string id = std::string("##") + label;
+  if (ImGui::BeginCombo(id.c_str(), name.empty() ? label : name.c_str())) {
     for (const auto& [place, entry] : desk.interpreter().solids().entries()) {
       ImGui::PushID(static_cast<int>(place));
       if (ImGui::Selectable("##solid", entry->name == name)) name = entry->name;

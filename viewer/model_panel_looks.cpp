@@ -1,75 +1,179 @@
-// The panel's parts that change how solids are looked at: view, camera, light
-// (thesis 3.6.2, 3.6.3).
+// The panel's parts that change how solids are looked at: view, camera, light, surfaces
+// (thesis 3.3, 3.6.2, 3.6.3). One drag of a field is one command.
 #include <imgui.h>
 
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include "modeler/look_words.h"
+#include "viewer/model_fields.h"
 #include "viewer/model_panel.h"
+#include "viewer/model_style.h"
 
 namespace sir::viewer {
 namespace {
 
-// A field for numbers that are typed or dragged; true where they have changed.
-bool field(const char* label, double* values, int count, double speed = 0.01) {
-  ImGui::SetNextItemWidth(240);
-  return ImGui::DragScalarN(label, ImGuiDataType_Double, values, count, static_cast<float>(speed),
-                            nullptr, nullptr, "%.4g");
+std::string three(const glm::dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
+
+// To three digits behind the point, as the fields have them.
+glm::dvec3 rounded(const glm::dvec3& v) { return glm::round(v * 1000.0) / 1000.0; }
+
+void heading(const char* text) {
+  ImGui::Spacing();
+  ImGui::TextColored(kAccent, "%s", text);
 }
 
 }  // namespace
 
-void ModelPanel::draw_view(ModelDesk& desk) {
-  ViewSettings view = desk.view();
-  const auto box = [this](const char* label, bool& value) {
-    ImGui::Checkbox(label, &value);
+void ModelPanel::draw_view(const ModelDesk& desk) {
+  const modeler::ViewSettings& view = desk.interpreter().view();
+  for (const auto& word : modeler::view_words()) {
+    const std::string label(word.english);
+    const bool on = view.*word.value;
+    if (chip(label.c_str(), on)) pending_.push_back("view " + label + (on ? " off" : " on"));
     note(label);
-  };
-  box("ghosts", view.ghosts);
-  ImGui::SameLine();
-  box("axes", view.axes);
-  ImGui::SameLine();
-  box("bounds", view.bounds);
-  ImGui::SameLine();
-  box("grid", view.grid);
-  box("silhouette", view.silhouette);
-  ImGui::SameLine();
-  box("selected alone", view.alone);
-  desk.set_view(view);
+    ImGui::SameLine(0, 3);
+  }
+  ImGui::NewLine();
 }
 
 void ModelPanel::draw_camera(ModelDesk& desk) {
-  CameraFile camera = desk.camera();
-  bool changed = field("window", &camera.window.x, 2);
-  changed |= field("target", &camera.target.x, 3);
-  changed |= field("normal", &camera.normal.x, 3);
-  changed |= field("distance", &camera.distance, 1);
-  changed |= field("up", &camera.up.x, 3);
-  if (!camera.parallel && field("focal", &camera.focal, 1)) changed = camera.focal_given = true;
-  changed |= ImGui::Checkbox("parallel", &camera.parallel);
+  CameraFile camera = desk.interpreter().camera();
+  const auto give = [&](bool changed, const std::string& what) {
+    if (changed) desk.drag("camera " + what);
+  };
+  const auto field = [&](const char* label, double* values, int count, double speed,
+                         bool along_axes = false) {
+    const bool changed = number_field({label, speed, "%.4g", along_axes}, values, count);
+    note(std::string("camera ") + label);
+    return changed;
+  };
+  const double size = camera.window.y;
+  give(field("target", &camera.target.x, 3, size / 200, true), "target " + three(camera.target));
+  give(field("normal", &camera.normal.x, 3, 0.005, true), "normal " + three(camera.normal));
+  give(field("up", &camera.up.x, 3, 0.005, true), "up " + three(camera.up));
+  give(field("distance", &camera.distance, 1, size / 200),
+       fmt::format("distance {}", camera.distance));
+  give(field("window", &camera.window.x, 2, size / 200),
+       fmt::format("window {} {}", camera.window.x, camera.window.y));
+  if (!camera.parallel)
+    give(field("focal", &camera.focal, 1, size / 200), fmt::format("focal {}", camera.focal));
+  field_label("");
+  if (chip("perspective", !camera.parallel)) pending_.push_back("camera perspective");
+  note("perspective");
+  ImGui::SameLine(0, 2);
+  if (chip("parallel", camera.parallel)) pending_.push_back("camera parallel");
   note("parallel");
-  if (changed) desk.set_camera(camera);
+  ImGui::SameLine(0, 14);
+  if (button("Back")) pending_.push_back("undo camera");
+  ImGui::SameLine();
+  if (button("Forward")) pending_.push_back("redo camera");
 }
 
 void ModelPanel::draw_light(ModelDesk& desk) {
-  Lighting lighting = desk.lighting();
-  bool changed = field("background", &lighting.background.x, 3);
-  changed |= field("ambient", &lighting.ambient.x, 3);
-  std::size_t taken = lighting.lights.size();
+  Lighting lighting = desk.interpreter().lighting();
+  const auto colour = [&](const char* label, glm::dvec3& value, const std::string& command) {
+    if (colour_field(label, value)) desk.drag(fmt::format("light {} {}", command, three(value)));
+    note(std::string("light ") + command);
+  };
+  colour("background", lighting.background, "background");
+  colour("ambient", lighting.ambient, "ambient");
   for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
+    Light& light = lighting.lights[i];
+    const std::size_t number = i + 1;
     ImGui::PushID(static_cast<int>(i));
-    changed |= field("light at", &lighting.lights[i].position.x, 3, 0.1);
-    changed |= field("r g b", &lighting.lights[i].intensity.x, 3);
-    ImGui::SameLine();
-    if (ImGui::SmallButton("x")) taken = i;
+    heading(fmt::format("light {}", number).c_str());
+    ImGui::SameLine(ImGui::GetContentRegionAvail().x - 44);
+    if (ImGui::SmallButton("delete")) pending_.push_back(fmt::format("light delete {}", number));
+    note(fmt::format("light delete {}", number));
+    if (number_field({"at", desk.interpreter().camera().window.y / 200, "%.4g", true},
+                     &light.position.x, 3))
+      desk.drag(fmt::format("light move {} {}", number, three(light.position)));
+    note(fmt::format("light move {}", number));
+    colour("colour", light.intensity, fmt::format("colour {}", number));
     ImGui::PopID();
   }
-  if (taken < lighting.lights.size()) {
-    lighting.lights.erase(lighting.lights.begin() + static_cast<std::ptrdiff_t>(taken));
-    changed = true;
-  }
   if (button("Add a light")) {
-    lighting.lights.push_back({desk.camera().target + glm::dvec3(0, 10, 0), glm::dvec3(0.5)});
-    changed = true;
+    // Over the observer's left shoulder there is one already; this one is over what is looked at.
+    const CameraFile camera = desk.interpreter().camera();
+    const glm::dvec3 above = camera.target + glm::dvec3(0, camera.window.y, 0);
+    pending_.push_back(
+        fmt::format("light add {:.4g} {:.4g} {:.4g} 0.5", above.x, above.y, above.z));
   }
-  if (changed) desk.set_lighting(lighting);
+}
+
+void ModelPanel::draw_surfaces(ModelDesk& desk) {
+  const auto& surfaces = desk.interpreter().looks().surfaces;
+  if (surfaces.empty()) ImGui::TextDisabled("none is described: each number has a hue of its own");
+  for (const auto& [number, kept] : surfaces) {
+    const Surface surface = kept;  // a command may change it while it is drawn
+    ImGui::PushID(static_cast<int>(number));
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float side = ImGui::GetTextLineHeight();
+    const bool open = ImGui::TreeNodeEx("##surface", ImGuiTreeNodeFlags_SpanAvailWidth, "       %s",
+                                        fmt::format("{}  {}", number, surface.name).c_str());
+    note(fmt::format("surface row {}", number));
+    const float x = corner.x + ImGui::GetTreeNodeToLabelSpacing();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({x + 2, corner.y + 1}, {x + side, corner.y + side - 1},
+                       ImGui::GetColorU32(shown_colour(surface.first.diffuse)), 2);
+    if (surface.texture == TextureKind::chequer)
+      list.AddRectFilled({x + side / 2 + 1, corner.y + 1}, {x + side, corner.y + side - 1},
+                         ImGui::GetColorU32(shown_colour(surface.second.diffuse)), 2);
+    if (open) {
+      draw_coefficients(desk, surface, false);
+      const bool chequer = surface.texture == TextureKind::chequer;
+      field_label("texture");
+      if (chip("plain", !chequer) && chequer)
+        pending_.push_back(fmt::format("surface {} plain", number));
+      ImGui::SameLine(0, 2);
+      if (chip("chequer", chequer) && !chequer)
+        pending_.push_back(fmt::format("surface {} chequer 8 8", number));
+      if (chequer) {
+        double cells[]{static_cast<double>(surface.cells_u), static_cast<double>(surface.cells_v)};
+        if (number_field({"cells", 0.1, "%.0f"}, cells, 2))
+          desk.drag(fmt::format("surface {} chequer {:.0f} {:.0f}", number, std::max(1.0, cells[0]),
+                                std::max(1.0, cells[1])));
+        heading("odd cells");
+        draw_coefficients(desk, surface, true);
+      }
+      field_label("");
+      if (ImGui::SmallButton("delete"))
+        pending_.push_back(fmt::format("surfaces delete {}", number));
+      ImGui::TreePop();
+    }
+    ImGui::PopID();
+  }
+  ImGui::SetNextItemWidth(180);
+  choose_surface(desk, "describe", described_);
+  ImGui::SameLine();
+  if (button("Describe"))
+    pending_.push_back(fmt::format("surface {} colour {}", described_,
+                                   three(rounded(colour_of(desk, described_)))));
+}
+
+void ModelPanel::draw_coefficients(ModelDesk& desk, const Surface& surface, bool odd) {
+  Coefficients cells = odd ? surface.second : surface.first;
+  const std::string command = fmt::format("surface {}{} ", surface.number, odd ? " odd" : "");
+  const auto colour = [&](const char* label, glm::dvec3& value) {
+    if (colour_field(label, value)) desk.drag(command + label + " " + three(value));
+    note(command + label);
+  };
+  const auto number = [&](const char* label, double& value, double speed) {
+    if (number_field({label, speed, "%.3f"}, &value, 1))
+      desk.drag(fmt::format("{}{} {}", command, label, std::max(0.0, value)));
+    note(command + label);
+  };
+  ImGui::PushID(odd);
+  colour("ambient", cells.ambient);
+  colour("diffuse", cells.diffuse);
+  number("specular", cells.specular, 0.005);
+  number("exponent", cells.exponent, 0.5);
+  number("transmission", cells.transmission, 0.005);
+  number("index", cells.index, 0.005);
+  ImGui::PopID();
 }
 
 }  // namespace sir::viewer

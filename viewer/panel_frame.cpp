@@ -13,7 +13,10 @@ PanelFrame::Context::~Context() { ImGui::DestroyContext(); }
 
 PanelFrame::PanelFrame(SDL_Window* window, SDL_Renderer* renderer, int width)
     : window_(window), renderer_(renderer), width_(width) {
-  ImGui::GetIO().IniFilename = nullptr;  // leaves no files behind
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // leaves no files behind
+  // Nothing moves by itself: the same events give the same picture.
+  io.ConfigInputTextCursorBlink = false;
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowBorderSize = 0;
   style.AntiAliasedLines = style.AntiAliasedFill = false;  // SDL's software renderer has none
@@ -25,22 +28,30 @@ PanelFrame::~PanelFrame() { ImGui_ImplSDLRenderer_Shutdown(); }
 bool PanelFrame::takes(const SDL_Event& event) {
   input_.pass(event);
   const ImGuiIO& io = ImGui::GetIO();
-  const bool popup =
-      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   switch (event.type) {
-    case SDL_MOUSEMOTION: return held_;
-    case SDL_MOUSEBUTTONDOWN: return held_ = popup || is_within(event.button.x);
+    case SDL_MOUSEMOTION: return holder_.value_or(owner_at(event.motion.x)) == Owner::panel;
+    case SDL_MOUSEBUTTONDOWN:
+      if (!holder_) holder_ = owner_at(event.button.x);
+      return holder_ == Owner::panel;
     case SDL_MOUSEBUTTONUP: {
-      const bool was_held = held_;
-      held_ = false;
-      return was_held;
+      const bool mine = holder_ == Owner::panel;
+      if (!input_.any_button_held()) holder_.reset();
+      return mine;
     }
-    case SDL_MOUSEWHEEL: return popup || is_within(static_cast<int>(io.MousePos.x));
-    case SDL_TEXTINPUT:
-    case SDL_KEYDOWN: return io.WantTextInput;
+    case SDL_MOUSEWHEEL: return owner_at(static_cast<int>(io.MousePos.x)) == Owner::panel;
+    case SDL_TEXTINPUT: return io.WantTextInput;
+    case SDL_KEYDOWN:
+      return io.WantTextInput || (event.key.keysym.sym == SDLK_ESCAPE && list_open());
     default: return false;
   }
 }
+
+void PanelFrame::reset() {
+  input_.reset();
+  holder_.reset();
+}
+
+void PanelFrame::forget() { ImGui_ImplSDLRenderer_DestroyDeviceObjects(); }
 
 void PanelFrame::draw(const std::function<void()>& parts) {
   input_.begin_frame(window_, renderer_);
@@ -69,10 +80,13 @@ void PanelFrame::draw(const std::function<void()>& parts) {
   SDL_RenderSetScale(renderer_, 1, 1);
 }
 
-bool PanelFrame::is_within(int x) const {
+bool PanelFrame::list_open() const { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
+
+// An open list is closed by a click beside it, which does nothing else.
+PanelFrame::Owner PanelFrame::owner_at(int x) const {
   int width = 0;
   SDL_GetWindowSize(window_, &width, nullptr);
-  return x >= width - width_;
+  return list_open() || x >= width - width_ ? Owner::panel : Owner::picture;
 }
 
 }  // namespace sir::viewer

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 
 #include "viewer/panel_input.h"
 
@@ -20,14 +21,26 @@ class PanelFrame {
   PanelFrame(const PanelFrame&) = delete;
   PanelFrame& operator=(const PanelFrame&) = delete;
 
-  /// Hears of every event first. Returns whether it is for the panel alone.
+  /// Hears of every event first. Returns whether it is for the panel alone: what happens over it,
+  /// or while a list of it is open, and all that a hand does that took hold of something there
+  /// until it lets go.
   bool takes(const SDL_Event& event);
+
+  /// Whether a menu, a list or a dialog is open, which comes before all else.
+  bool list_open() const;
+
+  /// Keys and buttons that were held are nothing to it.
+  void reset();
+
+  /// Textures lost their content: they are made anew.
+  void forget();
 
   /// Draws what `parts` makes.
   void draw(const std::function<void()>& parts);
 
  private:
-  bool is_within(int x) const;
+  enum class Owner { picture, panel };
+  Owner owner_at(int x) const;
 
   struct Context {
     Context();
@@ -43,7 +56,7 @@ class PanelFrame {
   using Clock = std::chrono::steady_clock;
   PanelInput input_;
   Clock::time_point drawn_ = Clock::now();
-  bool held_ = false;  // a button went down in it
+  std::optional<Owner> holder_;  // of the mouse, while a button is down
 };
 
 }  // namespace sir::viewer

@@ -111,9 +111,6 @@ void PanelInput::begin_frame(SDL_Window* window, SDL_Renderer* renderer) {
              static_cast<float>(pixels.height) / static_cast<float>(std::max(height, 1)));
   for (std::size_t i = 0; i < held_.size(); ++i) io.MouseDown[i] = held_[i] || pressed_[i];
   pressed_ = {};
-  // Nothing in the panel moves by itself; any step of time does, and this one makes the same
-  // events give the same picture.
-  io.DeltaTime = 1.0f / 60;
 }
 
 }  // namespace sir::viewer
