@@ -174,7 +174,7 @@ TEST_F(Session, UndoAndRedoTakeFilesOutOfTheScriptAndBringThemBack) {
   say(light);
   const Lines all = interpreter.script();
   // The first light is that of the camera that there was.
-  EXPECT_THAT(
+  ASSERT_THAT(
       all, ElementsAre(StartsWith("camera window "), StartsWith("light save "), "create a cube 1",
                        a, "scale a 2", "light set ambient 1", light, "camera auto"));
   say_all({"undo", "undo"});
