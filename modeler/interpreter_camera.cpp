@@ -13,6 +13,7 @@
 #include "modeler/operations.h"
 #include "modeler/orbit.h"
 #include "modeler/refusal.h"
+#include "modeler/sampling.h"
 #include "tracer/atomic_file.h"
 #include "tracer/scene_file.h"
 
@@ -30,10 +31,11 @@ double aspect_of(const std::optional<CameraFile>& camera) {
   return std::abs(aspect - kAspect) < kRounding ? kAspect : aspect;
 }
 
-Box bounds_of(const Lsu& solids) {
+// Where there is something of them: what a difference takes away need not be in the window.
+Box filled_box(const Lsu& solids) {
   Box all;
   for (const auto& [place, entry] : solids.entries())
-    all = combined(Operation::union_of, all, entry->solid.tree()->bounds);
+    all = combined(Operation::union_of, all, filled_box(*entry->solid.tree()));
   return all;
 }
 
@@ -55,7 +57,7 @@ CameraFile Interpreter::camera() const {
   if (looks_.camera) return *looks_.camera;
   if (solids_.empty()) made_up_camera_.reset();
   if (solids_.empty()) return Orbit(Box{}, kAspect).camera();
-  if (!made_up_camera_) made_up_camera_ = Orbit(bounds_of(solids_), kAspect).camera();
+  if (!made_up_camera_) made_up_camera_ = Orbit(filled_box(solids_), kAspect).camera();
   return *made_up_camera_;
 }
 
@@ -80,8 +82,8 @@ Reply Interpreter::camera_command(Arguments& words) {
     }
     case CameraWord::frame: {
       words.next();
-      const Box box = words.left() > 0 ? require(solids_, words.next())->solid.tree()->bounds
-                                       : bounds_of(solids_);
+      const Box box = words.left() > 0 ? filled_box(*require(solids_, words.next())->solid.tree())
+                                       : filled_box(solids_);
       words.end();
       return set_camera(Orbit(box, aspect_of(looks_.camera)).camera(), "camera: framed");
     }

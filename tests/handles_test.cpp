@@ -46,7 +46,7 @@ class HandlesTest : public testing::TestWithParam<bool> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Cameras, HandlesTest, testing::Bool(),
-                         [](const auto& info) { return info.param ? "parallel" : "perspective"; });
+                         [](const auto& test) { return test.param ? "parallel" : "perspective"; });
 
 TEST_P(HandlesTest, LinesAreAsLongWhateverTheDistance) {
   const Handles at_hand = handles(HandleKind::move);
