@@ -54,7 +54,7 @@ class PartsTest : public ModelerTest {
       parts[0] = names[left];
       names.erase(names.begin() + std::ptrdiff_t(left));
       const std::size_t right = random() % names.size();
-      // A solid that comes twice, the same nodes both times.
+      // A solid that comes twice, its parts the same nodes both times.
       if (random() % 4 == 0) say("copy " + parts[0] + " " + (parts[1] = fresh()));
       else {
         parts[1] = names[right];
@@ -67,7 +67,7 @@ class PartsTest : public ModelerTest {
       if (random() % 4 == 0 && !modeler::is_empty(solid(name).bounds))
         say("rotate " + name + " y " + number());
       if (random() % 4 == 0) say("label " + name + " same");
-      if (random() % 4 == 0) say("number " + name + " " + std::to_string(next));
+      if (random() % 4 == 0) say("number " + name + " " + std::to_string(next) + " 7");
       names.push_back(name);
     }
     return names.front();
@@ -97,8 +97,12 @@ class PartsTest : public ModelerTest {
     }
   }
 
-  static std::string csg_of(const modeler::Interpreter& interpreter, const std::string& name) {
-    return csg_text(modeler::to_csg(*interpreter.solids().find(name)->solid.tree()));
+  // The .CSG, and what each node keeps of one.
+  static std::string text_of(const Node& tree) {
+    std::string text = csg_text(modeler::to_csg(tree));
+    for (const Node* node : modeler::preorder(tree))
+      text += std::to_string(node->slot.number) + " " + std::to_string(node->slot.position) + "\n";
+    return text;
   }
 
   // What splitting, the command and combining again give; the names that are in the list meanwhile
@@ -144,7 +148,7 @@ class PartsTest : public ModelerTest {
       part = joined(*parent->node, parent->left ? part : parent->other,
                     parent->node->composite()->operation, parent->left ? parent->other : part,
                     !parent->met);
-    return part ? csg_text(modeler::to_csg(*part)) : std::string();
+    return part ? text_of(*part) : std::string();
   }
 
  private:
@@ -190,13 +194,9 @@ class PartsTest : public ModelerTest {
   static NodePtr done_alone(const NodePtr& tree, const std::string& command,
                             const std::string& rest) {
     const TempFolder folder;
+    folder.write("part.CSG", csg_text(modeler::to_csg(*tree)));
     modeler::Interpreter session;
-    // Names and numbers come through the file; a node without a number has none.
-    const auto placed = [&](const NodePtr& solid) {
-      folder.write("part.CSG", csg_text(modeler::to_csg(*solid)));
-      session.execute("load x " + (folder / "part").string());
-    };
-    placed(tree);
+    session.execute("load x " + (folder / "part").string());
     session.execute("label x " + modeler::as_word(tree->name));
     try {
       session.execute(command + " x" + rest);
@@ -205,6 +205,7 @@ class PartsTest : public ModelerTest {
     }
     return with_slots(session.solids().find("x")->solid.tree(), *tree);
   }
+  // A file may number its nodes otherwise.
   static NodePtr with_slots(const NodePtr& tree, const Node& as) {
     if (const auto* primitive = tree->primitive())
       return modeler::make_node(tree->name, *primitive, as.slot);
@@ -229,7 +230,7 @@ TEST_F(PartsTest, AnEditIsSplittingTheCommandAndCombiningAgain) {
       const auto [command, rest] = draw(random, *modeler::node_at(*tree, place));
       const std::string wanted = by_hand(tree, place, command, rest);
       const std::string line = "edit " + name + " " + std::to_string(place) + " " + command + rest;
-      const std::string before = csg_of(interpreter, name);
+      const std::string before = text_of(solid(name));
       std::string reason;
       try {
         say(line);
@@ -239,8 +240,7 @@ TEST_F(PartsTest, AnEditIsSplittingTheCommandAndCombiningAgain) {
         ++refused;
       }
       ASSERT_EQ(reason.empty(), !wanted.empty()) << seed << ": " << line << ": " << reason;
-      ASSERT_EQ(csg_of(interpreter, name), wanted.empty() ? before : wanted)
-          << seed << ": " << line;
+      ASSERT_EQ(text_of(solid(name)), wanted.empty() ? before : wanted) << seed << ": " << line;
     }
   }
   EXPECT_GT(done, 1000);
@@ -329,7 +329,7 @@ TEST_F(PartsTest, StatesOfALargeSolidComeBack) {
   }
   say("rename " + last + " c");
   ASSERT_GT(modeler::Solid::most_steps(solid("c").count), std::size_t{modeler::Solid::kMostSteps});
-  const auto state = [&] { return std::hash<std::string>()(csg_of(interpreter, "c")); };
+  const auto state = [&] { return std::hash<std::string>()(text_of(solid("c"))); };
   std::mt19937_64 random(1);
   std::vector<std::size_t> states{state()};
   for (std::size_t at = 0; states.size() < kCommands;) {
