@@ -55,6 +55,7 @@ bool obey(modeler::Interpreter& interpreter, const Session& session, const std::
 
 int run_prompt(modeler::Interpreter& interpreter, const Session& session) {
   LineOptions options;
+  interpreter.watch(true);
   options.prompt = "sir> ";
   options.complete = [&](std::string_view line) { return complete(interpreter, line); };
   options.history = history_file();

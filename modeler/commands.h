@@ -45,6 +45,7 @@ enum class Command : std::uint8_t {
   script,
   undo,
   redo,
+  forget,
   help,
   quit
 };

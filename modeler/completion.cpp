@@ -88,7 +88,6 @@ const CommandInfo* command_of(const Words& before, std::size_t& count) {
   return part != nullptr && is_for_parts(part->command) ? part : nullptr;
 }
 
-
 template <typename Value>
 std::optional<Value> find(std::span<const Word<Value>> known, std::string_view word) {
   for (const Word<Value>& one : known)

@@ -41,7 +41,11 @@ class History {
   /// Hangs a note on the last command that is in force.
   void add(Note note);
 
-  bool can_undo() const { return done_ > 0; }
+  /// What was done stays done, and what was undone stays undone: frees what only undo or redo could
+  /// bring back. The commands stay, for a script.
+  void forget();
+
+  bool can_undo() const { return done_ > forgotten_; }
   bool can_redo() const { return done_ < records_.size(); }
 
   /// Where there is something to undo or redo. Returns what it was.
@@ -50,12 +54,14 @@ class History {
 
   /// The commands that are not undone, in order, and the notes before the first of them.
   std::span<const Record> in_force() const { return {records_.data(), done_}; }
+  std::size_t undoable() const { return done_ - forgotten_; }
   const std::vector<Note>& first_notes() const { return first_notes_; }
 
  private:
   std::vector<Note> first_notes_;
   std::vector<Record> records_;
-  std::size_t done_ = 0;  // the records before it are in force
+  std::size_t done_ = 0;       // the records before it are in force
+  std::size_t forgotten_ = 0;  // those before it can no longer be undone
   WarmTrees trees_;
 };
 

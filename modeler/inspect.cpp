@@ -116,6 +116,17 @@ std::string volume_text(const Node& tree) {
                      error, sampling.rays);
 }
 
+std::string text_of_empty(const Node& node) {
+  const Composite& composite = *node.composite();
+  const std::string of = in_quotes(node.name), left = in_quotes(composite.left->name),
+                    right = in_quotes(composite.right->name);
+  if (composite.operation == Operation::difference)
+    return fmt::format("{} is empty: {} takes away all of {}", of, right, left);
+  return fmt::format(
+      "{} is empty: {} and {} share nothing{}", of, left, right,
+      meet(composite.left->bounds, composite.right->bounds) ? ", though their bounds meet" : "");
+}
+
 // As show frames it.
 Box box_in_obs(const Node& tree) {
   const Box& box = tree.bounds;
@@ -176,21 +187,14 @@ std::string tree_text(const Node& tree, std::size_t most) {
   return text;
 }
 
+std::optional<std::string> empty_warning(const Node& node) {
+  if (leaves_nothing(node)) return text_of_empty(node);
+  return std::nullopt;
+}
+
 std::vector<std::string> warnings(const Node& tree, std::size_t most_coincidences) {
   std::vector<std::string> found;
-  for (const Node* node : empty_composites(tree)) {
-    const Composite& composite = *node->composite();
-    if (composite.operation == Operation::difference)
-      found.push_back(fmt::format("{} is empty: {} takes away all of {}", in_quotes(node->name),
-                                  in_quotes(composite.right->name),
-                                  in_quotes(composite.left->name)));
-    else
-      found.push_back(fmt::format("{} is empty: {} and {} share nothing{}", in_quotes(node->name),
-                                  in_quotes(composite.left->name), in_quotes(composite.right->name),
-                                  meet(composite.left->bounds, composite.right->bounds)
-                                      ? ", though their bounds meet"
-                                      : ""));
-  }
+  for (const Node* node : empty_composites(tree)) found.push_back(text_of_empty(*node));
   const auto pairs = coincident_faces(tree, most_coincidences + 1);
   const auto face = [](const Face& of) {
     return fmt::format("{} of {}", face_name(of.node->primitive()->kind, of.face),

@@ -1,6 +1,7 @@
 // Verifica sólido (thesis 3.2.2.10): all that is known of a solid, as text.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ std::string inspect(const std::string& name, const Node& tree, Aspect aspect = A
 /// that coincide, matrices that are nearly singular (of condition above 1e8: half of double's
 /// digits are lost on the way to SC_LOCAL).
 std::vector<std::string> warnings(const Node& tree, std::size_t most_coincidences = 1000);
+
+/// That a composite is empty though its parts are not, where few rays tell it; none for primitives
+/// and for composites of so many nodes that it would take long.
+std::optional<std::string> empty_warning(const Node& node);
 
 /// The tree of composition, a line a node, each with its place in preorder(), indented. Of more
 /// than `most` nodes, and of those more than 40 levels deep, it is said how many are left out.

@@ -7,6 +7,7 @@
 #include "modeler/arguments.h"
 #include "modeler/command_error.h"
 #include "modeler/command_line.h"
+#include "modeler/inspect.h"
 #include "modeler/nearest_name.h"
 #include "modeler/operations.h"
 #include "tracer/text_file.h"
@@ -67,8 +68,9 @@ Reply Interpreter::execute(std::string_view line) {
         apart = true;
       }
       arguments.end();
-      return commit(combine(solids_, name, left, operation, right, apart),
-                    fmt::format("{}: {} of {} and {}", name, name_of(operation), left, right));
+      return watched(
+          name, commit(combine(solids_, name, left, operation, right, apart),
+                       fmt::format("{}: {} of {} and {}", name, name_of(operation), left, right)));
     }
     case Command::erase: {
       const std::string name = arguments.next();
@@ -126,6 +128,10 @@ Reply Interpreter::execute(std::string_view line) {
     case Command::script: return script_command(arguments);
     case Command::undo: return take_back(arguments, false);
     case Command::redo: return take_back(arguments, true);
+    case Command::forget:
+      arguments.end();
+      history_.forget();
+      return {{}, "what has been done can no longer be undone", {}, false};
     case Command::quit: {
       arguments.end();
       Reply reply;
@@ -134,6 +140,14 @@ Reply Interpreter::execute(std::string_view line) {
     }
   }
   return {};
+}
+
+// A combination has been made: perhaps nothing is left, which is seldom meant.
+Reply Interpreter::watched(const std::string& name, Reply reply) const {
+  if (!watchful_) return reply;
+  if (auto warning = empty_warning(*solids_.find(name)->solid.tree()))
+    reply.warnings.push_back(std::move(*warning));
+  return reply;
 }
 
 Reply Interpreter::take_back(Arguments& words, bool again) {

@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "modeler/camera_history.h"
@@ -49,6 +50,10 @@ class Interpreter {
   /// where a file is to blame; then all is as before.
   Reply execute(std::string_view line);
 
+  /// Whether a combination that leaves nothing is told of at once, which takes some rays: for
+  /// hands, not for scripts of a hundred thousand commands. Returns how it was.
+  bool watch(bool watchful) { return std::exchange(watchful_, watchful); }
+
   const Lsu& solids() const { return solids_; }
 
   /// Camera, light and surfaces that were set by commands.
@@ -72,7 +77,7 @@ class Interpreter {
 
   /// How many commands `undo` can take back. Those for camera, view and selection are not among
   /// them: who edits, goes around to look and then undoes wants the edit undone.
-  std::size_t undoable() const { return history_.in_force().size(); }
+  std::size_t undoable() const { return history_.undoable(); }
 
   /// A hand moves the camera: until it lets go, `undo camera` takes back all its commands as one.
   void hold_camera() { camera_history_.hold(); }
@@ -115,6 +120,7 @@ class Interpreter {
   Reply load_script(const std::filesystem::path& file);
   Reply save_script(const std::filesystem::path& file);
 
+  Reply watched(const std::string& name, Reply reply) const;
   Reply record(History::Record record, std::string done);
   Reply noted(const Arguments& words, const std::filesystem::path& file, Reply reply);
   Reply noted(const Arguments& words, const std::filesystem::path& file, Reply reply,
@@ -124,6 +130,7 @@ class Interpreter {
   std::vector<std::filesystem::path> being_read() const;
 
   Outlet outlet_;
+  bool watchful_ = false;
   Lsu solids_;
   Looks looks_;
   History history_;

@@ -78,6 +78,7 @@ Reply Interpreter::load_script(const Path& given) {
   const Interpreter before = *this;
   Reply all;
   protect(file);
+  watch(false);
   hold_camera();
   try {
     run_script(text, *this, [&](const Reply& reply) {
@@ -89,6 +90,7 @@ Reply Interpreter::load_script(const Path& given) {
     throw;
   }
   let_go_of_camera();
+  watch(before.watchful_);
   release(file);
   all.done = "did what " + file.string() + " says";
   return all;

@@ -116,6 +116,19 @@ Box filled_box(const Node& tree) {
           glm::min(sampling.met.high + gap, tree.bounds.high)};
 }
 
+bool leaves_nothing(const Node& node) {
+  constexpr std::size_t kMostNow = 3000;  // nodes: a few hundredths of a second
+  const Composite* composite = node.composite();
+  if (composite == nullptr || composite->operation == Operation::union_of ||
+      node.count > kMostNow || sample(node, kRaysForEmptiness).inside)
+    return false;
+  const auto holds = [](const Node& part) {
+    return part.primitive() != nullptr || sample(part, kRaysForEmptiness).inside.has_value();
+  };
+  return holds(*composite->left) &&
+         (composite->operation == Operation::difference || holds(*composite->right));
+}
+
 std::vector<const Node*> empty_composites(const Node& tree) {
   const std::vector<const Node*> nodes = preorder(tree);
   std::vector<char> filled(nodes.size());  // something is known to be in it

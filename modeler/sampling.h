@@ -29,6 +29,10 @@ Sampling sample(const Node& tree, std::size_t rays);
 /// intersections leave of them empty, as far as rays can tell; a little more rather than less.
 Box filled_box(const Node& tree);
 
+/// Whether no ray meets anything of a composite, though there is something to its left part and, of
+/// an intersection, to its right one. False where that is more work than an answer while one waits.
+bool leaves_nothing(const Node& composite);
+
 /// The composites of which no ray meets anything, though there is something to each part that
 /// counts: differences that leave nothing, intersections of solids that share nothing. A part for
 /// which the work would be out of proportion is taken to hold something.

@@ -140,6 +140,26 @@ TEST_F(HistoryTest, DeletedSolidsAreFreedWithTheirLastUse) {
   EXPECT_TRUE(a.expired());
 }
 
+TEST_F(HistoryTest, ForgettingFreesWhatUndoCouldBringBackAndKeepsTheScript) {
+  say_all({"create a cube 1", "create b cube 1", "light add 1 2 3 1", "delete a"});
+  say_all({"create c cube 1", "undo"});
+  const std::weak_ptr<const modeler::Node> b = interpreter.solids().find("b")->solid.tree();
+  say("delete b");
+  say_all({"undo", "redo"});
+  EXPECT_FALSE(b.expired());
+  const std::string before = state_of(interpreter);
+  const auto script = interpreter.script();
+  say("forget");
+  EXPECT_TRUE(b.expired());
+  EXPECT_EQ(state_of(interpreter), before);
+  EXPECT_EQ(interpreter.script(), script);
+  expect_refused("undo", "nothing to undo");
+  expect_refused("redo", "nothing to redo");
+  say_all({"create d cube 1", "forget", "create e cube 1", "undo"});
+  EXPECT_TRUE(has("d"));
+  expect_refused("undo", "nothing to undo");
+}
+
 TEST_F(HistoryTest, ChainsOfAnyDepth) {
   constexpr int kDepth = 100'000;
   say("create s cube 1");

@@ -225,6 +225,19 @@ TEST_F(Look, VolumesAgreeWithFormulas) {
   check("shell", 4 * kPi / 3 * (1 - 0.729));
 }
 
+TEST_F(Look, ACombinationThatLeavesNothingIsToldToHandsAtOnce) {
+  say_all({"create small sphere 1", "create large cube 1", "scale large 4",
+           "translate large -2 -2 -2", "copy small small2", "copy large large2"});
+  EXPECT_THAT(say("combine a small difference large").warnings, IsEmpty());  // a script
+  interpreter.watch(true);
+  say("undo");
+  EXPECT_THAT(say("combine a small difference large").warnings,
+              ElementsAre("\"a\" is empty: \"large\" takes away all of \"small\""));
+  // Nothing less something is nothing, which was told before.
+  EXPECT_THAT(say("combine b a difference small2").warnings, IsEmpty());
+  EXPECT_THAT(say("combine c large2 intersection b").warnings, IsEmpty());
+}
+
 TEST_F(Look, AVolumeThatIsNoDoubleIsSaid) {
   say_all(
       {"create large cube 1", "scale large 1e200", "create small cube 1", "scale small 1e-200"});

@@ -75,6 +75,7 @@ void ModelDesk::run_script(const Path& file) {
   script_known_ = false;
   interpreter_.protect(file);
   TextFile text(file);
+  interpreter_.watch(false);
   modeler::run_script(text, interpreter_, [this](const modeler::Reply& reply) { say(reply); });
   interpreter_.release(file);
 }
@@ -95,6 +96,7 @@ void ModelDesk::open(const Path& base) {
 bool ModelDesk::execute(const std::string& line) {
   end_drag();
   warned_ = false;
+  interpreter_.watch(true);
   return attempt([&] { say(interpreter_.execute(line)); });
 }
 
