@@ -82,6 +82,10 @@ class ModelWindowTest : public testing::Test {
       event.key.keysym.mod = modifiers;
       send(event);
     }
+    if (modifiers != KMOD_NONE) {
+      event.key.keysym = {SDL_SCANCODE_LCTRL, SDLK_LCTRL, KMOD_NONE, 0};  // lets go of them
+      send(event);
+    }
     window().settle();
   }
 

@@ -201,22 +201,6 @@ TEST_F(ModelWindowTest, BoxesChangeTheView) {
   EXPECT_FALSE(desk().picture()->planes == before->planes);
 }
 
-TEST_F(ModelWindowTest, FilesAreSaved) {
-  begin_with({"create ball sphere 1"});
-  click("\"ball\"");
-  click("Create");
-  click("File");
-  click("file");
-  type((folder_ / "OUT").string());
-  for (const char* label : {"Save .CSG", "Save .CAM", "Save .LUZ", "Save script"}) {
-    click(label);
-    EXPECT_FALSE(desk().refused()) << desk().message();
-    EXPECT_THAT(desk().message(), HasSubstr("wrote "));
-  }
-  for (const char* name : {"OUT.CSG", "OUT.CAM", "OUT.LUZ", "OUT.model"})
-    EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
-}
-
 TEST_F(ModelWindowTest, ClosingWarnsOnceOfWhatIsNotSaved) {
   begin_with({"create ball sphere 1"});
   window();

@@ -17,6 +17,20 @@ namespace fs = std::filesystem;
 constexpr const char* kPopup = "###file dialog";
 constexpr float kWidth = 620, kHeight = 460;
 
+// The picture is none of Dear ImGui's, which dims only its own.
+void dim_around() {
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const ImVec2 high{low.x + size.x, low.y + size.y}, all = ImGui::GetIO().DisplaySize;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 shade = ImGui::GetColorU32(ImVec4(0.04f, 0.04f, 0.05f, 0.55f));
+  list.PushClipRectFullScreen();
+  list.AddRectFilled({0, 0}, {all.x, low.y}, shade);
+  list.AddRectFilled({0, high.y}, all, shade);
+  list.AddRectFilled({0, low.y}, {low.x, high.y}, shade);
+  list.AddRectFilled({high.x, low.y}, {all.x, high.y}, shade);
+  list.PopClipRect();
+}
+
 }  // namespace
 
 void FileDialog::open(Wanted wanted, const fs::path& folder) {
@@ -41,6 +55,7 @@ void FileDialog::draw(const Note& note) {
     wanted_.reset();
     return;
   }
+  dim_around();
   draw_folder(note);
   draw_entries(note);
   if (replaced_) draw_question(note);
@@ -96,7 +111,7 @@ void FileDialog::draw_folder(const Note& note) {
 void FileDialog::draw_entries(const Note& note) {
   fs::path folder;
   bool accepted = false;
-  ImGui::BeginChild("entries", {0, -76}, true);
+  ImGui::BeginChild("entries", {0, -2 * ImGui::GetFrameHeightWithSpacing() - 2}, true);
   if (!listing_.error.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, kAlarm);
     ImGui::TextWrapped("%s", listing_.error.c_str());
@@ -111,14 +126,14 @@ void FileDialog::draw_entries(const Note& note) {
       const FolderEntry& entry = listing_.entries[static_cast<std::size_t>(i)];
       ImGui::PushID(i);
       const bool chosen = !entry.folder && entry.shown == name_.data();
+      const bool twice = ImGui::GetIO().MouseClickedLastCount[0] > 1;
       if (ImGui::Selectable("##entry", chosen, ImGuiSelectableFlags_DontClosePopups)) {
-        if (entry.folder) folder = listing_.folder / entry.name;
-        else if (chosen && ImGui::GetMouseClickedCount(0) > 1) accepted = true;
-        else name(entry.shown);
+        // Who opens a folder by two clicks means nothing by the second, which is in it already.
+        if (chosen && twice) accepted = true;
+        else if (!twice && entry.folder) folder = listing_.folder / entry.name;
+        else if (!twice) name(entry.shown);
       }
       note("\"" + entry.shown + "\"");
-      if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && !entry.folder)
-        accepted = true;
       ImGui::SameLine(0, 0);
       ImGui::TextColored(entry.folder ? kAccent : ImGui::GetStyleColorVec4(ImGuiCol_Text), "%s%s",
                          entry.shown.c_str(), entry.folder ? "/" : "");
@@ -133,8 +148,11 @@ void FileDialog::draw_name(const Note& note) {
   if (!wanted_) return;
   ImGui::SetNextItemWidth(-1);
   if (std::exchange(to_name_, false)) ImGui::SetKeyboardFocusHere();
-  bool accepted = ImGui::InputTextWithHint("##name", "name", name_.data(), name_.size(),
-                                           ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::PushID(names_);  // another field for every name, or one that is being edited would stay
+  bool accepted = ImGui::InputTextWithHint(
+      "##name", "name", name_.data(), name_.size(),
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopID();
   note("file name");
   if (error_.empty()) {
     std::string kinds;
@@ -187,6 +205,7 @@ void FileDialog::name(const std::string& text) {
   const std::size_t size = std::min(text.size(), name_.size() - 1);
   std::memcpy(name_.data(), text.data(), size);
   name_[size] = 0;
+  ++names_;
   error_.clear();
   to_name_ = true;
 }
@@ -219,6 +238,7 @@ void FileDialog::accept() {
 
 void FileDialog::finish(const fs::path& file) {
   const auto chosen = std::move(wanted_->chosen);
+  listing_.folder = file.parent_path();  // the next one begins there
   wanted_.reset();
   replaced_.reset();
   chosen(file);

@@ -47,6 +47,7 @@ class FileDialog {
   std::optional<Wanted> wanted_;
   FolderListing listing_;
   std::array<char, 1024> name_{};
+  int names_ = 0;  // that were put there
   std::string error_;
   std::optional<std::filesystem::path> replaced_;  // what is asked about
   bool opening_ = false, to_name_ = false;

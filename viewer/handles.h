@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -36,7 +37,8 @@ class Handles {
           double length);
 
   HandleKind kind() const { return kind_; }
-  const std::vector<Handle>& all() const { return all_; }
+  const std::vector<Handle>& all() const& { return all_; }
+  std::vector<Handle> all() && { return std::move(all_); }
   glm::dvec2 middle() const { return middle_; }
 
   /// The axis of the handle that is within reach, in pixels; the nearest.

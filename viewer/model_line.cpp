@@ -79,12 +79,15 @@ void ModelLine::complete(ImGuiInputTextCallbackData* data) {
   if (text.size() > line.size() - completion.begin || only) replace(data, begin, text);
   offered_.clear();
   if (only) return;
-  for (std::size_t i = 0; i < completion.words.size() && i < kMostOffered; ++i) {
-    offered_ += (i == 0 ? "" : "   ") + completion.words[i];
-    if (!completion.notes.empty()) offered_ += " " + completion.notes[i] + "\n";
-  }
+  // A line each where there is something to be said of them.
+  const bool noted = !completion.notes.empty();
+  const char* between = noted ? "\n" : "   ";
+  for (std::size_t i = 0; i < completion.words.size() && i < kMostOffered; ++i)
+    offered_ +=
+        (i == 0 ? "" : between) + completion.words[i] + (noted ? "  " + completion.notes[i] : "");
   if (completion.words.size() > kMostOffered)
-    offered_ += "   and " + std::to_string(completion.words.size() - kMostOffered) + " more";
+    offered_ += between + std::string("and ") +
+                std::to_string(completion.words.size() - kMostOffered) + " more";
 }
 
 void ModelLine::recall(ImGuiInputTextCallbackData* data) {

@@ -45,6 +45,7 @@ void ModelPanel::draw(ModelDesk& desk, ModelHand& hand) {
 
 void ModelPanel::draw_tools(ModelDesk& desk, ModelHand& hand) {
   if (button("File")) ImGui::OpenPopup("file menu");
+  ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 2});
   if (ImGui::BeginPopup("file menu")) {
     files_.draw_menu(desk, [this](const std::string& label) { note(label); });
     ImGui::EndPopup();

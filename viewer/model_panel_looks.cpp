@@ -41,25 +41,24 @@ void ModelPanel::draw_view(const ModelDesk& desk) {
 
 void ModelPanel::draw_camera(ModelDesk& desk) {
   CameraFile camera = desk.interpreter().camera();
-  const auto give = [&](bool changed, const std::string& what) {
-    if (changed) desk.drag("camera " + what);
+  const double step = camera.window.y / 200;
+  const auto three_of = [&](const char* word, glm::dvec3& v, double speed) {
+    if (number_field({word, speed, "%.4g", true}, &v.x, 3))
+      desk.drag(fmt::format("camera {} {}", word, three(v)));
+    note(std::string("camera ") + word);
   };
-  const auto field = [&](const char* label, double* values, int count, double speed,
-                         bool along_axes = false) {
-    const bool changed = number_field({label, speed, "%.4g", along_axes}, values, count);
-    note(std::string("camera ") + label);
-    return changed;
+  const auto one_of = [&](const char* word, double& value) {
+    if (number_field({word, step}, &value, 1)) desk.drag(fmt::format("camera {} {}", word, value));
+    note(std::string("camera ") + word);
   };
-  const double size = camera.window.y;
-  give(field("target", &camera.target.x, 3, size / 200, true), "target " + three(camera.target));
-  give(field("normal", &camera.normal.x, 3, 0.005, true), "normal " + three(camera.normal));
-  give(field("up", &camera.up.x, 3, 0.005, true), "up " + three(camera.up));
-  give(field("distance", &camera.distance, 1, size / 200),
-       fmt::format("distance {}", camera.distance));
-  give(field("window", &camera.window.x, 2, size / 200),
-       fmt::format("window {} {}", camera.window.x, camera.window.y));
-  if (!camera.parallel)
-    give(field("focal", &camera.focal, 1, size / 200), fmt::format("focal {}", camera.focal));
+  three_of("target", camera.target, step);
+  three_of("normal", camera.normal, 0.005);
+  three_of("up", camera.up, 0.005);
+  one_of("distance", camera.distance);
+  if (number_field({"window", step}, &camera.window.x, 2))
+    desk.drag(fmt::format("camera window {} {}", camera.window.x, camera.window.y));
+  note("camera window");
+  if (!camera.parallel) one_of("focal", camera.focal);
   field_label("");
   if (chip("perspective", !camera.parallel)) pending_.push_back("camera perspective");
   note("perspective");
@@ -118,7 +117,7 @@ void ModelPanel::draw_surfaces(ModelDesk& desk) {
     const float x = corner.x + ImGui::GetTreeNodeToLabelSpacing();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({x + 2, corner.y + 1}, {x + side, corner.y + side - 1},
-                       ImGui::GetColorU32(shown_colour(surface.first.diffuse)), 2);
+                       ImGui::GetColorU32(shown_colour(colour_of(desk, number))), 2);
     if (surface.texture == TextureKind::chequer)
       list.AddRectFilled({x + side / 2 + 1, corner.y + 1}, {x + side, corner.y + side - 1},
                          ImGui::GetColorU32(shown_colour(surface.second.diffuse)), 2);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr const char* kSolid = "solid";
 constexpr float kIndent = 14, kArrow = 15, kIcon = 20;
+constexpr double kSeen = 0.5;         // of a colour's brightest primary, on the panel
 constexpr std::size_t kDeepest = 14;  // levels that are indented; deeper ones stand there
 constexpr std::size_t kMostRows = 10, kFewRows = 3;  // that are in sight at a time
 
@@ -37,9 +38,10 @@ glm::dvec3 ModelPanel::colour_of(const ModelDesk& desk, std::int64_t number) con
   const auto found = surfaces.find(number);
   const Surface surface =
       found == surfaces.end() ? modeler::made_up_surface(number) : found->second;
-  // What is clear has the colour of its gloss.
+  // What is glass or a mirror is all but black: it is lifted until it can be seen.
   const glm::dvec3& diffuse = surface.first.diffuse;
-  return std::max({diffuse.x, diffuse.y, diffuse.z}) < 0.15 ? diffuse + glm::dvec3(0.3) : diffuse;
+  const double brightest = std::max({diffuse.x, diffuse.y, diffuse.z});
+  return brightest < kSeen ? diffuse + glm::dvec3(kSeen - brightest) : diffuse;
 }
 
 void ModelPanel::draw_solids(const ModelDesk& desk) {
@@ -100,7 +102,10 @@ void ModelPanel::draw_row(const ModelDesk& desk, const TreeRow& row) {
   ImGui::SameLine(0, 0);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  if (ImGui::Selectable("##row", is_chosen, 0, {0, height}))
+  ImGui::PushStyleColor(ImGuiCol_Header, ImVec4(0.26f, 0.53f, 0.86f, 0.28f));
+  const bool clicked = ImGui::Selectable("##row", is_chosen, 0, {0, height});
+  ImGui::PopStyleColor();
+  if (clicked)
     pending_.push_back(modeler::select_line(modeler::Selection{*row.solid, row.place, {}}));
   if (row.place == 0) note("\"" + *row.solid + "\"");
   else note("\"" + *row.solid + "\" " + std::to_string(row.place));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "modeler/operations.h"
+#include "tracer/text_file.h"
 
 namespace sir::viewer {
 namespace {
@@ -41,14 +42,17 @@ modeler::Selection find(const modeler::Interpreter& interpreter, const modeler::
 std::string text_of(const Probed& probed) {
   const modeler::Node& node = *probed.pick.node;
   const auto& point = probed.pick.point;
-  const std::string name =
-      probed.what.place == 0
-          ? probed.what.solid
-          : fmt::format("{} of {}, place {}", node.name, probed.what.solid, probed.what.place);
-  return fmt::format("{}:  {} {}, surface {}   at {:.5g} {:.5g} {:.5g}   t {:.5g}", name,
-                     modeler::name_of(node.primitive()->kind),
-                     modeler::face_name(node.primitive()->kind, probed.pick.face),
-                     probed.pick.surface, point.x, point.y, point.z, probed.pick.t);
+  const std::string name = probed.what.place == 0
+                               ? in_quotes(probed.what.solid)
+                               : fmt::format("{} in {} at {}", in_quotes(node.name),
+                                             in_quotes(probed.what.solid), probed.what.place);
+  const PrimitiveKind kind = node.primitive()->kind;
+  const std::string face =
+      face_count(kind) == 1 ? ""
+                            : fmt::format(", face {}", modeler::face_name(kind, probed.pick.face));
+  return fmt::format("{}: {}{}, surface {}   ({:.5g}, {:.5g}, {:.5g})   t {:.5g}", name,
+                     modeler::name_of(kind), face, probed.pick.surface, point.x, point.y, point.z,
+                     probed.pick.t);
 }
 
 NodePtr ModelProbe::shown(const modeler::Interpreter& interpreter) {

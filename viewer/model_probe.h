@@ -18,7 +18,7 @@ struct Probed {
   modeler::Selection what;  ///< solid, place in its tree, face
 };
 
-/// "haste of calice (place 3), side, surface 2, at 0.1 0.2 0.3, t 1.5"
+/// "\"haste\" in \"calice\" at 3: cylinder, face side, surface 2   (0.1, 0.2, 0.3)   t 1.5"
 std::string text_of(const Probed& probed);
 
 /// Keeps what it made ready as long as solids, camera and size are the same, so that a mouse that

@@ -56,7 +56,7 @@ void set_model_style(float density) {
   colours[ImGuiCol_TextDisabled] = kQuiet;
   colours[ImGuiCol_WindowBg] = grey(0.15f);
   colours[ImGuiCol_ChildBg] = grey(0.15f, 0);
-  colours[ImGuiCol_PopupBg] = grey(0.17f, 0.99f);
+  colours[ImGuiCol_PopupBg] = grey(0.17f);
   colours[ImGuiCol_MenuBarBg] = grey(0.15f);
   colours[ImGuiCol_Border] = grey(0.28f);
   colours[ImGuiCol_FrameBg] = grey(0.22f);
@@ -77,7 +77,7 @@ void set_model_style(float density) {
   colours[ImGuiCol_ScrollbarGrabActive] = accent(0.9f);
   colours[ImGuiCol_TextSelectedBg] = accent(0.45f);
   colours[ImGuiCol_DragDropTarget] = kAccent;
-  colours[ImGuiCol_ModalWindowDimBg] = grey(0.05f, 0.55f);
+  colours[ImGuiCol_ModalWindowDimBg] = grey(0, 0);  // the dialog sees to it
 }
 
 void push_main_button() {
