@@ -298,8 +298,9 @@ TEST_F(PartsTest, WrongWordsAreRefusedWithWhatWasMeant) {
                  "\"delete\" is nothing that can be done to a part: "
                  "transform, translate, scale, rotate, matrix, paint, ");
   expect_refused("edit glass 1 edit 2", "is nothing that can be done to a part");
-  expect_refused("edit glass 1 scale 1 2",
-                 "wrong number of words; it is edit NAME PLACE scale x y z [centre] | factor [centre]");
+  expect_refused(
+      "edit glass 1 scale 1 2",
+      "wrong number of words; it is edit NAME PLACE scale x y z [centre] | factor [centre]");
   expect_refused("edit glass 1 scale 0", "a scale of 0");
   expect_refused("edit glass 1 translate 1 2 x", "\"x\" is not a finite number");
   expect_refused("edit glass 1 translate", "it is edit NAME PLACE translate x y z");
