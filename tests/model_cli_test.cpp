@@ -1,7 +1,10 @@
 // sir model from outside: scripts, standard input, --from, the prompt.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <termios.h>
+#include <unistd.h>
 
 #include "tests/at_terminal.h"
 #include "tests/cli_fixture.h"
@@ -145,9 +148,28 @@ TEST_F(ModelCli, AHundredThousandCommands) {
 TEST_F(ModelCli, AFullDiskAndAClosedPipeAreFailures) {
   Start start;
   start.in = "list\n";
+  ASSERT_TRUE(std::filesystem::is_character_file("/dev/full"));  // else it proves nothing
   start.out_file = "/dev/full";
   expect_failure(sir({"model"}, start), "standard output: cannot be written");
   expect_failure(sir_reading("create a cube 1\nsave a /dev/full\n", {"model"}), "/dev/full");
+}
+
+// No suffix is put behind the name of a device or a pipe, whoever may make files beside it.
+TEST_F(ModelCli, ADeviceHasItsNameAlready) {
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  // Both ends, so that nobody waits for the other.
+  const int pipe = ::open((folder / "pipe").c_str(), O_RDWR | O_NONBLOCK);
+  ASSERT_GE(pipe, 0);
+  const Ended ended =
+      sir_reading("create a cube 1\nsave a pipe\nsave a /dev/null\nsave a file\n", {"model"});
+  std::string bytes(4096, '\0');
+  const ssize_t got = ::read(pipe, bytes.data(), bytes.size());
+  ::close(pipe);
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  ASSERT_GT(got, 0);
+  bytes.resize(static_cast<std::size_t>(got));
+  EXPECT_EQ(bytes, folder.read("file.CSG"));
+  EXPECT_FALSE(folder.has("pipe.CSG"));
 }
 
 class ModelPrompt : public CliTest {
