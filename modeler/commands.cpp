@@ -107,8 +107,10 @@ constexpr CommandInfo kCommands[] = {
      "each node before its parts, the left one first), a face of a primitive. Alone, nothing.",
      "s--"},
     {Command::list, "list", "lista", "", "The solids that there are.", ""},
-    {Command::script, "script", "roteiro", "[save FILE]",
-     "The commands that make all that is there now, told or written to FILE.model.", "T"},
+    {Command::script, "script", "roteiro", "load FILE | save FILE",
+     "The commands that make all that is there now, written to FILE.model; load does those of a "
+     "file, and where one of them cannot be done, none. Alone, tells them.",
+     "T"},
     {Command::undo, "undo", "anula", "[camera]",
      "Takes back the last command that changed solids, light or surfaces; or the camera's last.",
      "h"},
@@ -210,6 +212,31 @@ template bool ViewSettings::*value_of(std::span<const Word<bool ViewSettings::*>
 template bool value_of(std::span<const Word<bool>>, std::string_view, std::string_view);
 template ScriptWord value_of(std::span<const Word<ScriptWord>>, std::string_view, std::string_view);
 
+namespace {
+
+constexpr std::size_t kForms = 24;  // where the forms begin in the help
+constexpr std::size_t kWidth = 76;  // of the forms
+
+// A form in lines: what is long is broken between the ways to say it, or its groups of words.
+std::string in_lines(std::string_view form) {
+  std::string lines;
+  while (form.size() > kWidth) {
+    std::size_t at = form.npos;
+    int depth = 0;
+    for (std::size_t i = 0; i + 1 < form.size() && (i <= kWidth || at == form.npos); ++i) {
+      depth += (form[i] == '[') - (form[i] == ']');
+      const char next = form[i + 1];
+      if (i > 0 && depth == 0 && form[i] == ' ' && (next == '|' || next == '[')) at = i;
+    }
+    if (at == form.npos) break;
+    lines.append(form.substr(0, at)).append("\n").append(kForms, ' ');
+    form.remove_prefix(at + 1);
+  }
+  return lines.append(form);
+}
+
+}  // namespace
+
 std::string help_text(const CommandInfo& info) {
   return fmt::format("{}{}{}  ({})\n  {}\n", info.name, info.form.empty() ? "" : " ", info.form,
                      info.portuguese, info.help);
@@ -218,7 +245,7 @@ std::string help_text(const CommandInfo& info) {
 std::string help_text() {
   std::string text;
   for (const CommandInfo& info : kCommands)
-    text += fmt::format("{:<10} {:<11}  {}\n", info.name, info.portuguese, info.form);
+    text += fmt::format("{:<10} {:<11}  {}\n", info.name, info.portuguese, in_lines(info.form));
   return text +
          "Names with white space or # go in quotes; # begins a comment. help COMMAND says more.\n";
 }

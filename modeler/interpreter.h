@@ -112,6 +112,8 @@ class Interpreter {
   Reply view_command(Arguments& words);
   Reply select_command(Arguments& words);
   Reply script_command(Arguments& words);
+  Reply load_script(const std::filesystem::path& file);
+  Reply save_script(const std::filesystem::path& file);
 
   Reply record(History::Record record, std::string done);
   Reply noted(const Arguments& words, const std::filesystem::path& file, Reply reply);
@@ -119,6 +121,7 @@ class Interpreter {
               const std::optional<CameraFile>& used);
   void follow(const Changes& changes, bool back);
   void require_writable(const std::filesystem::path& file) const;
+  std::vector<std::filesystem::path> being_read() const;
 
   Outlet outlet_;
   Lsu solids_;

@@ -1,22 +1,16 @@
-// What is shown, what is selected, and the script of all (the thesis has none of them).
-#include <algorithm>
-
+// What is shown and what is selected: the thesis shows lines of one solid, on demand (3.2.2.9).
 #include <fmt/format.h>
 
 #include "modeler/arguments.h"
 #include "modeler/command_error.h"
 #include "modeler/inspect.h"
 #include "modeler/interpreter.h"
-#include "modeler/look_files.h"
 #include "modeler/look_text.h"
 #include "modeler/look_words.h"
 #include "modeler/operations.h"
-#include "tracer/atomic_file.h"
-#include "tracer/scene_path.h"
+#include "tracer/text_file.h"
 
 namespace sir::modeler {
-
-using Path = std::filesystem::path;
 
 Reply Interpreter::view_command(Arguments& words) {
   if (words.left() == 0) {
@@ -69,58 +63,6 @@ Reply Interpreter::select_command(Arguments& words) {
     done += fmt::format(", face {}", face_name(node->primitive()->kind, *chosen.face));
   selection_ = std::move(chosen);
   return {{}, std::move(done), {}, false};
-}
-
-std::vector<std::string> Interpreter::script() const {
-  std::vector<std::string> lines;
-  std::optional<CameraFile> camera;  // as the lines so far have it
-  const auto lead = [&](const std::optional<CameraFile>& wanted) {
-    if (same(camera, wanted)) return;
-    lines.push_back(camera_line(wanted));
-    camera = wanted;
-  };
-  const auto add = [&](const std::vector<History::Note>& notes) {
-    for (const History::Note& note : notes) {
-      if (note.uses_camera) lead(note.camera);
-      lines.push_back(note.command);
-    }
-  };
-  add(history_.first_notes());
-  for (const History::Record& record : history_.in_force()) {
-    lines.push_back(record.command);
-    add(record.notes);
-  }
-  lead(looks_.camera);
-  for (std::string& line : view_lines(view_)) lines.push_back(std::move(line));
-  if (selection_) lines.push_back(select_line(selection_));
-  return lines;
-}
-
-Reply Interpreter::script_command(Arguments& words) {
-  std::string text;
-  for (const std::string& line : script()) text += line + "\n";
-  if (words.left() == 0) return {std::move(text), {}, {}, false};
-  value_of(script_words(), words.next(), "word of script");
-  const Path given = words.next();
-  words.end();
-  const Path file = given.has_extension() || is_device(given) ? given : with_suffix(given, "model");
-  for (const Path& input : protected_)
-    if (std::find(released_.begin(), released_.end(), input) == released_.end())
-      refuse_same_file(file, input);
-  // Run from there, the script could not write over itself.
-  const auto refuse = [&](const std::vector<History::Note>& notes) {
-    for (const History::Note& note : notes) {
-      std::error_code missing;
-      if (!is_device(file) && std::filesystem::equivalent(file, note.file, missing))
-        throw CommandError(fmt::format("{} is what a command of the script writes: {}",
-                                       in_quotes(file.string()), note.command));
-    }
-  };
-  refuse(history_.first_notes());
-  for (const History::Record& record : history_.in_force()) refuse(record.notes);
-  write_file_atomically(file, text);
-  for (const auto& [place, entry] : solids_.entries()) entry->saved = true;
-  return {{}, "wrote " + file.string(), {}, false};
 }
 
 }  // namespace sir::modeler

@@ -58,7 +58,8 @@ constexpr Word<bool ViewSettings::*> kView[] = {
 
 constexpr Word<bool> kSwitch[] = {{"on", "sim", true}, {"off", "não", false}};
 
-constexpr Word<ScriptWord> kScript[] = {{"save", "salva", ScriptWord::save}};
+constexpr Word<ScriptWord> kScript[] = {{"load", "carrega", ScriptWord::load},
+                                        {"save", "salva", ScriptWord::save}};
 
 }  // namespace
 

@@ -65,7 +65,7 @@ std::span<const Word<SurfaceWord>> surface_words();
 std::span<const Word<bool ViewSettings::*>> view_words();
 std::span<const Word<bool>> switch_words();  ///< on, off
 
-enum class ScriptWord : std::uint8_t { save };
+enum class ScriptWord : std::uint8_t { load, save };
 std::span<const Word<ScriptWord>> script_words();
 
 }  // namespace sir::modeler

@@ -1,6 +1,7 @@
 // The script of a session makes all of it again.
 #include <map>
 #include <random>
+#include <sstream>
 
 #include "tests/modeler_fixture.h"
 #include "tracer/error.h"
@@ -173,7 +174,7 @@ TEST_F(Session, UndoAndRedoTakeFilesOutOfTheScriptAndBringThemBack) {
   say(light);
   const Lines all = interpreter.script();
   // The first light is that of the camera that there was.
-  EXPECT_THAT(
+  ASSERT_THAT(
       all, ElementsAre(StartsWith("camera window "), StartsWith("light save "), "create a cube 1",
                        a, "scale a 2", "light set ambient 1", light, "camera auto"));
   say_all({"undo", "undo"});
@@ -219,7 +220,7 @@ TEST_F(Session, TheScriptIsToldAndSaved) {
   EXPECT_TRUE(interpreter.unsaved().empty());
   EXPECT_EQ(interpreter.script().size(), 3u);
   expect_refused("script sav x", "did you mean save?");
-  expect_refused("script save", "it is script [save FILE]");
+  expect_refused("script save", "it is script save FILE");
   expect_refused("script save " + file("none/x"), "none");
   // What is being read is not overwritten, and what has been read by this command alone.
   interpreter.protect(folder / "s.model");
@@ -229,6 +230,37 @@ TEST_F(Session, TheScriptIsToldAndSaved) {
   expect_refused("save a " + file("s.model"), "is not overwritten");
   say("save a " + file("a.model"));
   expect_refused("script save " + file("a"), "is what a command of the script writes: save a");
+}
+
+TEST_F(Session, AScriptIsDoneWhollyOrNotAtAll) {
+  folder.write("part.model",
+               "create part cube 1\nlist\ncamera turn 0.1 0\ncamera zoom 1\nquit\nnonsense\n");
+  say_all({"create a sphere 1", "create gone sphere 1", "undo"});
+  const modeler::Reply reply = say("script load " + file("part"));
+  EXPECT_EQ(reply.text, "\"a\": sphere\n\"part\": cube\n");
+  EXPECT_FALSE(reply.quit);
+  EXPECT_THAT(interpreter.script(),
+              ElementsAre("create a sphere 1", "create part cube 1", StartsWith("camera window ")));
+  say("undo camera");  // one, as from a hand
+  EXPECT_FALSE(interpreter.looks().camera);
+  say("undo");
+  EXPECT_FALSE(has("part"));
+  folder.write("bad.model",
+               "create b cube 1\nlight set\nselect b\nview grid on\ncamera zoom 1\ndelete c\n");
+  expect_refused("script load " + file("bad.model"), "bad.model:6: there is no solid \"c\"");
+  say("redo");  // what could be redone still can
+  EXPECT_TRUE(has("part"));
+  expect_refused("script load " + file("none"), "none.model: cannot be read");
+  folder.write("self.model", "script load " + file("self") + "\n");
+  expect_refused("script load " + file("self"), "self.model:1: \"");
+  folder.write("over.model", "script save " + file("over") + "\n");
+  expect_refused("script load " + file("over"), "is not overwritten");
+  say("script save " + file("part"));  // which has been read
+}
+
+TEST_F(Session, TheListOfCommandsIsNoWiderThanAPage) {
+  std::istringstream lines(say("help").text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 102u) << line;
 }
 
 TEST_F(Session, ACommandIsOneLine) { expect_refused("create a\ncube 1", "a command is one line"); }

@@ -100,7 +100,7 @@ TEST_F(Completion, OffersLooks) {
   EXPECT_THAT(words("view grid "), ElementsAre("off", "on"));
   EXPECT_THAT(words("view grid on "), ElementsAre());
   EXPECT_THAT(words("select C"), ElementsAre("Cálice"));
-  EXPECT_THAT(words("script "), ElementsAre("save"));
+  EXPECT_THAT(words("script "), ElementsAre("load", "save"));
   EXPECT_THAT(words("undo "), ElementsAre("camera"));
   folder.write("x.CAM", "");
   const std::string at = folder.path().string() + "/";

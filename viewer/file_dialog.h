@@ -20,7 +20,7 @@ class FileDialog {
     std::string title;
     std::string button = {};            ///< what it does: "Open", "Save"
     std::vector<std::string> suffixes;  ///< in upper case; what has none of them gets the first
-    bool to_save = false;  ///< a file that need not be there, and is asked about where it is
+    bool to_save = false;       ///< a file that need not be there, and is asked about where it is
     std::string proposed = {};  ///< a name to begin with
     std::function<void(const std::filesystem::path& file)> chosen = {};  ///< absolute
   };
