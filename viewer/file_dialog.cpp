@@ -178,7 +178,7 @@ void FileDialog::draw_name(const Note& note) {
 
 void FileDialog::draw_question(const Note& note) {
   ImGui::TextColored(kAlarm, "%s is there already.",
-                     readable(replaced_->filename().native()).c_str());
+                     readable(as_written(*replaced_).native()).c_str());
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Replace it?");
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 176);

@@ -9,7 +9,7 @@
 namespace sir::viewer {
 namespace {
 
-constexpr float kLabels = 76;  // the width of their column
+constexpr float kLabels = 90;  // the width of their column
 
 double rounded(float value) { return std::round(double(value) * 1000) / 1000; }
 

@@ -84,7 +84,8 @@ void ModelPanel::draw_light(ModelDesk& desk) {
     const std::size_t number = i + 1;
     ImGui::PushID(static_cast<int>(i));
     heading(fmt::format("light {}", number).c_str());
-    ImGui::SameLine(ImGui::GetContentRegionAvail().x - 44);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("delete").x -
+                    2 * ImGui::GetStyle().FramePadding.x);
     if (ImGui::SmallButton("delete")) pending_.push_back(fmt::format("light delete {}", number));
     note(fmt::format("light delete {}", number));
     if (number_field({"at", desk.interpreter().camera().window.y / 200, "%.4g", true},
@@ -122,6 +123,7 @@ void ModelPanel::draw_surfaces(ModelDesk& desk) {
       list.AddRectFilled({x + side / 2 + 1, corner.y + 1}, {x + side, corner.y + side - 1},
                          ImGui::GetColorU32(shown_colour(surface.second.diffuse)), 2);
     if (open) {
+      ImGui::Unindent();
       draw_coefficients(desk, surface, false);
       const bool chequer = surface.texture == TextureKind::chequer;
       field_label("texture");
@@ -141,6 +143,7 @@ void ModelPanel::draw_surfaces(ModelDesk& desk) {
       field_label("");
       if (ImGui::SmallButton("delete"))
         pending_.push_back(fmt::format("surfaces delete {}", number));
+      ImGui::Indent();
       ImGui::TreePop();
     }
     ImGui::PopID();

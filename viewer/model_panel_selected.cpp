@@ -173,7 +173,7 @@ void ModelPanel::draw_surfaces_of(ModelDesk& desk, const Selection& what, const 
   if (choose_surface(desk, "all faces", number))
     pending_.push_back(change_of(what, "paint", std::to_string(number)));
   const modeler::Primitive* primitive = node.primitive();
-  if (primitive == nullptr || !what.face) return;
+  if (primitive == nullptr || !what.face || face_count(primitive->kind) == 1) return;
   const auto face = static_cast<std::size_t>(*what.face);
   field_label("face");
   ImGui::AlignTextToFramePadding();

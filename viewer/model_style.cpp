@@ -39,7 +39,7 @@ ImVec4 accent(float alpha) { return {0.26f, 0.53f, 0.86f, alpha}; }
 
 }  // namespace
 
-void set_model_style(float density) {
+void set_model_style(float density, bool smooth) {
   load_letters(density);
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowPadding = {10, 8};
@@ -50,6 +50,8 @@ void set_model_style(float density) {
   style.ScrollbarSize = 11;
   style.FrameRounding = style.GrabRounding = style.PopupRounding = 3;
   style.ChildRounding = style.WindowRounding = style.ScrollbarRounding = 3;
+  style.AntiAliasedLines = style.AntiAliasedFill = smooth;
+  style.AntiAliasedLinesUseTex = false;
   style.WindowTitleAlign = {0.5f, 0.5f};
   ImVec4* colours = style.Colors;
   colours[ImGuiCol_Text] = grey(0.88f);

@@ -15,8 +15,9 @@ inline constexpr unsigned char kSurround = 26;
 
 /// Sets colours and distances, and loads letters for pixels that are `density` to a unit of the
 /// window: DejaVu Sans where the machine has it, which knows the accents of all names; else what
-/// Dear ImGui brings. Before the first drawing.
-void set_model_style(float density);
+/// Dear ImGui brings. `smooth` edges cost SDL's software renderer half as much again. Before the
+/// first drawing.
+void set_model_style(float density, bool smooth);
 
 /// The button that does what the part it stands in is for.
 void push_main_button();

@@ -46,7 +46,9 @@ class ModelWindow::Impl {
     check(window_ != nullptr, "cannot be opened");
     check(renderer_ != nullptr, "cannot be drawn to");
     frame_ = std::make_unique<PanelFrame>(window_.get(), renderer_.get(), kPanelWidth);
-    set_model_style(static_cast<float>(density()));
+    SDL_RendererInfo about{};
+    SDL_GetRendererInfo(renderer_.get(), &about);
+    set_model_style(static_cast<float>(density()), (about.flags & SDL_RENDERER_SOFTWARE) == 0);
     prepare(desk_);
     present();
   }

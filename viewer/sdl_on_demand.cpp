@@ -50,6 +50,8 @@ PASS_ON(const char*, SDL_GetCurrentVideoDriver, (), ())
 PASS_ON(int, SDL_GetDisplayUsableBounds, (int displayIndex, SDL_Rect* rect), (displayIndex, rect))
 PASS_ON(const char*, SDL_GetError, (), ())
 PASS_ON(const char*, SDL_GetHint, (const char* name), (name))
+PASS_ON(int, SDL_GetRendererInfo, (SDL_Renderer * renderer, SDL_RendererInfo* info),
+        (renderer, info))
 PASS_ON(int, SDL_GetRendererOutputSize, (SDL_Renderer * renderer, int* w, int* h), (renderer, w, h))
 PASS_ON(int, SDL_GetWindowDisplayIndex, (SDL_Window * window), (window))
 PASS_ON(Uint32, SDL_GetWindowFlags, (SDL_Window * window), (window))
