@@ -105,10 +105,9 @@ void ModelPanel::draw_light(ModelDesk& desk) {
 }
 
 void ModelPanel::draw_surfaces(ModelDesk& desk) {
-  const auto& surfaces = desk.interpreter().looks().surfaces;
+  const auto surfaces = desk.interpreter().looks().surfaces;  // a drag changes those that are kept
   if (surfaces.empty()) ImGui::TextDisabled("none is described: each number has a hue of its own");
-  for (const auto& [number, kept] : surfaces) {
-    const Surface surface = kept;  // a command may change it while it is drawn
+  for (const auto& [number, surface] : surfaces) {
     ImGui::PushID(static_cast<int>(number));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float side = ImGui::GetTextLineHeight();
