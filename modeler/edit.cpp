@@ -4,6 +4,7 @@
 
 #include "modeler/command_error.h"
 #include "modeler/operations.h"
+#include "tracer/names.h"
 #include "tracer/text_file.h"
 
 namespace sir::modeler {

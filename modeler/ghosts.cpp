@@ -72,8 +72,7 @@ GhostLayer ghost_layer(const Scene& ghosts, ImageSize size, int threads, int blo
   RenderOptions options;
   options.size = size;
   options.threads = threads;
-  options.trace.depth_limit = 1;
-  options.trace.allowed_effects.shadow = false;
+  options.trace = TraceOptions::primary_rays_only();
   RenderResult seen = block > 1 ? render_preview(ghosts, options, block, true, stop)
                                 : render(ghosts, options, {}, stop);
   if (!seen.complete) return {};

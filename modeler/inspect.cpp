@@ -11,6 +11,7 @@
 #include "modeler/sampling.h"
 #include "modeler/step.h"
 #include "modeler/view.h"
+#include "tracer/names.h"
 #include "tracer/text_file.h"
 
 namespace sir::modeler {

@@ -10,6 +10,7 @@
 #include "modeler/interpreter.h"
 #include "modeler/nearest_name.h"
 #include "modeler/operations.h"
+#include "tracer/names.h"
 #include "tracer/text_file.h"
 
 namespace sir::modeler {

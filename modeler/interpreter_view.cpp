@@ -8,6 +8,7 @@
 #include "modeler/look_text.h"
 #include "modeler/look_words.h"
 #include "modeler/operations.h"
+#include "tracer/names.h"
 #include "tracer/text_file.h"
 
 namespace sir::modeler {

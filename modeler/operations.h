@@ -70,11 +70,4 @@ std::string free_name(const Lsu& solids, const std::string& name, std::string_vi
 /// Refuses what the .CSG could not hold: nothing at all, white space at an end, control characters.
 void require_name(std::string_view name);
 
-/// What one face of a primitive is called, as in "Y=0" or "side".
-std::string_view face_name(PrimitiveKind kind, int face);
-
-/// "cube", "sphere", "cone", "cylinder"; "union", "difference", "intersection".
-std::string_view name_of(PrimitiveKind kind);
-std::string_view name_of(Operation operation);
-
 }  // namespace sir::modeler

@@ -7,13 +7,7 @@
 namespace sir::modeler {
 namespace {
 
-// No rays beyond the first: what they would see is not asked for.
-TraceOptions first_ray_only() {
-  TraceOptions options;
-  options.depth_limit = 1;
-  options.allowed_effects.shadow = false;
-  return options;
-}
+const TraceOptions kPrimary = TraceOptions::primary_rays_only();
 
 }  // namespace
 
@@ -22,8 +16,8 @@ Picker::Picker(NodePtr solid, const CameraFile& camera, ImageSize size)
       size_(size),
       scene_(scene_of(*solid_, camera)),
       nodes_(preorder(*solid_)),
-      model_(std::make_unique<Model<double>>(scene_, first_ray_only().possible_effects())),
-      tracer_(*model_, first_ray_only()) {
+      model_(std::make_unique<Model<double>>(scene_, kPrimary.possible_effects())),
+      tracer_(*model_, kPrimary) {
   // Whatever order the scene's nodes are in, walked from the root they come as ours do.
   std::vector<std::size_t> open{scene_.tree.root};
   for (std::size_t place = 0; !open.empty(); ++place) {

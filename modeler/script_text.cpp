@@ -14,6 +14,7 @@
 #include "modeler/csg.h"
 #include "modeler/operations.h"
 #include "modeler/step.h"
+#include "tracer/names.h"
 #include "tracer/text_file.h"
 
 namespace sir::modeler {

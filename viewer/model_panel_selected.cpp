@@ -13,6 +13,7 @@
 #include "modeler/operations.h"
 #include "modeler/view.h"
 #include "tracer/intersect.h"
+#include "tracer/names.h"
 #include "viewer/model_fields.h"
 #include "viewer/model_panel.h"
 #include "viewer/model_style.h"
@@ -177,8 +178,7 @@ void ModelPanel::draw_surfaces_of(ModelDesk& desk, const Selection& what, const 
   const auto face = static_cast<std::size_t>(*what.face);
   field_label("face");
   ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(kAccent, "%s",
-                     std::string(modeler::face_name(primitive->kind, *what.face)).c_str());
+  ImGui::TextColored(kAccent, "%s", std::string(face_name(primitive->kind, *what.face)).c_str());
   ImGui::SameLine(0, 10);
   std::int64_t of_face = primitive->surfaces[face];
   ImGui::SetNextItemWidth(-1);

@@ -9,6 +9,7 @@
 #include "modeler/look_text.h"
 #include "modeler/operations.h"
 #include "modeler/view.h"
+#include "tracer/names.h"
 #include "viewer/model_fields.h"
 #include "viewer/model_panel.h"
 #include "viewer/model_style.h"
@@ -23,11 +24,10 @@ constexpr std::size_t kDeepest = 14;  // levels that are indented; deeper ones s
 constexpr std::size_t kMostRows = 10, kFewRows = 3;  // that are in sight at a time
 
 std::string kind_of(const modeler::Node& node) {
-  if (const auto* composite = node.composite())
-    return std::string(modeler::name_of(composite->operation));
+  if (const auto* composite = node.composite()) return std::string(name_of(composite->operation));
   const modeler::Primitive& primitive = *node.primitive();
   const bool mixed = primitive.surface_per_face;
-  return fmt::format("{} {}{}", modeler::name_of(primitive.kind), primitive.surfaces[0],
+  return fmt::format("{} {}{}", name_of(primitive.kind), primitive.surfaces[0],
                      mixed ? " ..." : "");
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "modeler/operations.h"
+#include "tracer/names.h"
 #include "tracer/text_file.h"
 
 namespace sir::viewer {
@@ -48,10 +49,9 @@ std::string text_of(const Probed& probed) {
                                              in_quotes(probed.what.solid), probed.what.place);
   const PrimitiveKind kind = node.primitive()->kind;
   const std::string face =
-      face_count(kind) == 1 ? ""
-                            : fmt::format(", face {}", modeler::face_name(kind, probed.pick.face));
+      face_count(kind) == 1 ? "" : fmt::format(", face {}", face_name(kind, probed.pick.face));
   return fmt::format("{}: {}{}, surface {}   ({:.5g}, {:.5g}, {:.5g})   t {:.5g}", name,
-                     modeler::name_of(kind), face, probed.pick.surface, point.x, point.y, point.z,
+                     name_of(kind), face, probed.pick.surface, point.x, point.y, point.z,
                      probed.pick.t);
 }
 

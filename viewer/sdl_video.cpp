@@ -1,8 +1,11 @@
 #include "viewer/sdl_video.h"
 
+#include <algorithm>
 #include <string_view>
+#include <vector>
 
 #include "tracer/error.h"
+#include "viewer/argb.h"
 
 namespace sir::viewer {
 void fail(const std::string& reason) { throw FileError("window", 0, reason); }
@@ -34,6 +37,18 @@ PixelSize pixel_size(SDL_Renderer* renderer) {
   PixelSize size;
   SDL_GetRendererOutputSize(renderer, &size.width, &size.height);
   return size;
+}
+
+eltek::Screen read_back(SDL_Renderer* renderer) {
+  const PixelSize size = pixel_size(renderer);
+  eltek::Screen screen{{size.width, size.height}, {}};
+  std::vector<Argb> words(screen.size.pixels());
+  check(SDL_RenderReadPixels(renderer, nullptr, SDL_PIXELFORMAT_ARGB8888, words.data(),
+                             4 * size.width) == 0,
+        "cannot be read back");
+  screen.pixels.resize(words.size());
+  std::transform(words.begin(), words.end(), screen.pixels.begin(), rgb);
+  return screen;
 }
 
 }  // namespace sir::viewer

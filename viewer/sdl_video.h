@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "eltek/screen.h"
+
 namespace sir::viewer {
 
 /// Throws a FileError of the window.
@@ -42,5 +44,8 @@ struct PixelSize {
   int width = 0, height = 0;
 };
 PixelSize pixel_size(SDL_Renderer* renderer);
+
+/// What has been drawn, before it is presented, as colours.
+eltek::Screen read_back(SDL_Renderer* renderer);
 
 }  // namespace sir::viewer
