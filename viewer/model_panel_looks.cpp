@@ -109,7 +109,7 @@ void ModelPanel::draw_surfaces(ModelDesk& desk) {
   if (surfaces.empty()) ImGui::TextDisabled("none is described: each number has a hue of its own");
   for (const auto& [number, kept] : surfaces) {
     const Surface surface = kept;  // a command may change it while it is drawn
-    ImGui::PushID(static_cast<int>(number));
+    ImGui::PushID(std::to_string(number).c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float side = ImGui::GetTextLineHeight();
     const bool open = ImGui::TreeNodeEx("##surface", ImGuiTreeNodeFlags_SpanAvailWidth, "       %s",
