@@ -230,6 +230,10 @@ TEST_F(ModelDeskTest, QuitAsksOnceWhereSolidsAreNotSaved) {
   EXPECT_TRUE(desk.execute("translate a 1 0 0"));  // anything done begins it anew
   desk.close();
   EXPECT_FALSE(desk.closed());
+  EXPECT_TRUE(desk.drag("translate a 2 0 0"));
+  desk.end_drag();
+  desk.close();
+  EXPECT_FALSE(desk.closed());
   desk.close();
   EXPECT_TRUE(desk.closed());
   ModelDesk empty{DeskOptions{}};

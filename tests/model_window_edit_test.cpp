@@ -131,6 +131,40 @@ TEST_F(ModelWindowEditTest, HandlesMoveTurnAndScale) {
   EXPECT_NE(desk().camera().normal, camera.normal);  // there are none any more
 }
 
+TEST_F(ModelWindowEditTest, AHandleThatIsHeldIsLetGoOfByWhatUndoesOrDeletes) {
+  begin_with({"create ball sphere 1", "create box cube 2", "select ball", "camera parallel"});
+  window();
+  const CameraFile camera = desk().camera();
+  struct Case {
+    SDL_Keycode sym;
+    SDL_Scancode scancode;
+    Uint16 modifiers;
+    std::size_t solids;
+  };
+  for (const Case& wanted : {Case{SDLK_z, SDL_SCANCODE_Z, KMOD_LCTRL, 2},
+                             Case{SDLK_DELETE, SDL_SCANCODE_DELETE, KMOD_NONE, 1}}) {
+    const Handles all = handles(HandleKind::move);
+    const auto& axis = all.all().front();
+    ASSERT_EQ(axis.axis, 0);
+    const Spot grip = at(axis.line.back());
+    move(grip);
+    button(SDL_MOUSEBUTTONDOWN, grip, SDL_BUTTON_LEFT);
+    move({grip.x + 40, grip.y});
+    window().settle();
+    EXPECT_GT(desk().selected_node()->bounds.centre().x, 0);
+    key(wanted.sym, wanted.scancode, wanted.modifiers);
+    const auto then = desk().script();
+    EXPECT_EQ(desk().interpreter().solids().size(), wanted.solids);
+    move({grip.x + 80, grip.y + 60});
+    window().settle();
+    button(SDL_MOUSEBUTTONUP, {grip.x + 80, grip.y + 60}, SDL_BUTTON_LEFT);
+    window().settle();
+    EXPECT_EQ(desk().script(), then);
+    EXPECT_FALSE(desk().refused());
+    EXPECT_EQ(desk().camera().normal, camera.normal);
+  }
+}
+
 TEST_F(ModelWindowEditTest, TabCompletesAndArrowsBringBack) {
   window();
   click("command");

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "viewer/model_fields.h"
 #include "viewer/model_style.h"
 
 namespace sir::viewer {
@@ -100,7 +101,7 @@ void FileDialog::draw_folder(const Note& note) {
       ImGui::SameLine(0, 2);
     }
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Button(readable(steps[i].native()).c_str())) wanted = whole;
+    if (name_button(readable(steps[i].native()))) wanted = whole;
     ImGui::PopID();
   }
   ImGui::PopStyleVar();

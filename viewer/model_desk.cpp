@@ -103,6 +103,7 @@ bool ModelDesk::execute(const std::string& line) {
 bool ModelDesk::drag(const std::string& line) {
   const bool again = std::exchange(dragging_, true) && drag_done_;
   if (!again) drag_done_ = false;
+  warned_ = false;
   interpreter_.hold_camera();
   return attempt([&] {
     if (again) interpreter_.execute("undo");

@@ -61,6 +61,26 @@ bool colour_field(const char* label, glm::dvec3& colour) {
   return changed;
 }
 
+bool name_button(const std::string& name) {
+  const ImVec2 margin = ImGui::GetStyle().FramePadding;
+  const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+  const bool pressed =
+      ImGui::Button("##name button", {size.x + 2 * margin.x, size.y + 2 * margin.y});
+  const ImVec2 corner = ImGui::GetItemRectMin();
+  ImGui::GetWindowDrawList()->AddText({corner.x + margin.x, corner.y + margin.y},
+                                      ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+  return pressed;
+}
+
+void name_in_list(const std::string& name) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 margin = ImGui::GetStyle().FramePadding;
+  ImGui::PushClipRect(low, {high.x - ImGui::GetFrameHeight(), high.y}, true);
+  ImGui::GetWindowDrawList()->AddText({low.x + margin.x, low.y + margin.y},
+                                      ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+  ImGui::PopClipRect();
+}
+
 bool chip(const char* label, bool on, const char* tip) {
   if (on) {
     push_main_button();

@@ -27,6 +27,13 @@ bool number_field(const NumberField& field, double* values, int count);
 /// A colour as a swatch, which opens a chooser, and as numbers; 1 is full intensity.
 bool colour_field(const char* label, glm::dvec3& colour);
 
+/// A button with a name that a person gave, which may hold what Dear ImGui takes for a sign (`##`)
+/// or be what is written on another button.
+bool name_button(const std::string& name);
+
+/// Writes such a name into the list (ImGui::BeginCombo) that has just been drawn without one.
+void name_in_list(const std::string& name);
+
 /// A button that is on or off.
 bool chip(const char* label, bool on, const char* tip = nullptr);
 

@@ -106,7 +106,7 @@ void ModelFiles::save_solid(const std::string& solid) {
   std::string proposed = solid;
   for (char& letter : proposed)
     if (letter == '/') letter = '-';
-  ask({.title = "Save " + solid,
+  ask({.title = "Save the solid",
        .suffixes = {"CSG", "model"},
        .to_save = true,
        .proposed = proposed + ".CSG"},

@@ -1,6 +1,7 @@
 #include "viewer/model_panel.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <utility>
@@ -38,9 +39,10 @@ void ModelPanel::draw(ModelDesk& desk, ModelHand& hand) {
   files_.draw(desk, [this](const std::string& label) { note(label); });
   for (const std::string& line : std::exchange(pending_, {}))
     if (!desk.execute(line)) break;
-  // A drag ends where the hand lets go of the field.
-  const bool active = ImGui::IsAnyItemActive();
-  if (std::exchange(active_, active) && !active) desk.end_drag();
+  // A drag ends where the hand lets go of the field, or Tab leads on to the next.
+  const ImGuiID active = ImGui::GetActiveID();
+  const ImGuiID before = std::exchange(active_, active);
+  if (before != 0 && before != active) desk.end_drag();
 }
 
 void ModelPanel::draw_tools(ModelDesk& desk, ModelHand& hand) {
@@ -136,7 +138,8 @@ bool ModelPanel::input(const char* label, Text& text, int flags) {
 void ModelPanel::choose_solid(const ModelDesk& desk, const char* label, std::string& name) {
   if (desk.interpreter().solids().find(name) == nullptr) name.clear();
   const std::string id = std::string("##") + label;
-  if (ImGui::BeginCombo(id.c_str(), name.empty() ? label : name.c_str())) {
+  const std::string shown = name.empty() ? label : name;
+  if (ImGui::BeginCombo(id.c_str(), "")) {
     for (const auto& [place, entry] : desk.interpreter().solids().entries()) {
       ImGui::PushID(static_cast<int>(place));
       if (ImGui::Selectable("##solid", entry->name == name)) name = entry->name;
@@ -146,6 +149,7 @@ void ModelPanel::choose_solid(const ModelDesk& desk, const char* label, std::str
     }
     ImGui::EndCombo();
   }
+  name_in_list(shown);
   note(label);
 }
 

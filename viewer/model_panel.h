@@ -84,7 +84,7 @@ class ModelPanel {
   std::int64_t surface_ = 1, described_ = 1;
   std::string left_, right_;
   bool open_combine_ = false;
-  bool active_ = false;  // a hand holds a field
+  unsigned active_ = 0;  // the field that a hand holds, as Dear ImGui numbers it; 0: none
   std::size_t commands_ = 0;
 };
 

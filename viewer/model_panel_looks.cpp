@@ -108,7 +108,7 @@ void ModelPanel::draw_surfaces(ModelDesk& desk) {
   const auto surfaces = desk.interpreter().looks().surfaces;  // a drag changes those that are kept
   if (surfaces.empty()) ImGui::TextDisabled("none is described: each number has a hue of its own");
   for (const auto& [number, surface] : surfaces) {
-    ImGui::PushID(static_cast<int>(number));
+    ImGui::PushID(std::to_string(number).c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float side = ImGui::GetTextLineHeight();
     const bool open = ImGui::TreeNodeEx("##surface", ImGuiTreeNodeFlags_SpanAvailWidth, "       %s",

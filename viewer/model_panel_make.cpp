@@ -20,7 +20,9 @@ void ModelPanel::draw_create(ModelDesk& desk) {
   const float make = ImGui::CalcTextSize("Create").x + 2 * ImGui::GetStyle().FramePadding.x;
   const float room = ImGui::GetContentRegionAvail().x - make - 3 * spacing;
   ImGui::SetNextItemWidth(room * 0.36f);
-  ImGui::InputTextWithHint("##new name", proposed.c_str(), new_name_.data(), new_name_.size());
+  const bool entered =
+      ImGui::InputTextWithHint("##new name", proposed.c_str(), new_name_.data(), new_name_.size(),
+                               ImGuiInputTextFlags_EnterReturnsTrue);
   note("new name");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(room * 0.30f);
@@ -36,7 +38,7 @@ void ModelPanel::draw_create(ModelDesk& desk) {
   ImGui::SetNextItemWidth(room * 0.34f);
   choose_surface(desk, "surface", surface_);
   ImGui::SameLine();
-  if (!button("Create##do")) return;
+  if (!button("Create##do") && !entered) return;
   const std::string name = as_word(new_name_[0] != 0 ? new_name_.data() : proposed);
   pending_ = {fmt::format("create {} {} {}", name, kinds[kind].english, surface_),
               "select " + name};
@@ -67,11 +69,12 @@ void ModelPanel::draw_combine(ModelDesk& desk) {
   ImGui::SetNextItemWidth(room * 0.35f);
   choose_solid(desk, "right", right_);
   ImGui::SetNextItemWidth(room * 0.35f);
-  ImGui::InputTextWithHint("##combined", proposed.c_str(), combined_name_.data(),
-                           combined_name_.size());
+  const bool entered =
+      ImGui::InputTextWithHint("##combined", proposed.c_str(), combined_name_.data(),
+                               combined_name_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   note("combined name");
   ImGui::SameLine();
-  if (!button("Combine##do") || left_.empty() || right_.empty()) return;
+  if ((!button("Combine##do") && !entered) || left_.empty() || right_.empty()) return;
   const std::string name = as_word(combined_name_[0] != 0 ? combined_name_.data() : proposed);
   pending_ = {fmt::format("combine {} {} {} {}", name, as_word(left_),
                           operations[operation].english, as_word(right_)),

@@ -67,8 +67,9 @@ void ModelPanel::draw_selected(ModelDesk& desk) {
       fitting(text, ImGui::GetContentRegionAvail().x - (whole ? 0 : 90)).c_str());
   if (!whole) {
     ImGui::SameLine();
-    if (ImGui::SmallButton(fitting(what.solid, 84).c_str()))
-      pending_.push_back("select " + as_word(what.solid));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
+    if (name_button(fitting(what.solid, 84))) pending_.push_back("select " + as_word(what.solid));
+    ImGui::PopStyleVar();
     note("whole");
   }
   const auto& box = node.bounds;
@@ -108,7 +109,8 @@ void ModelPanel::draw_name(const Selection& what, const Node& node) {
   const bool entered =
       ImGui::InputText("##name", name_.data(), name_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   note("name");
-  if (!entered || written_ == name_.data()) return;
+  // Of a name that is longer than the field, what stands there is no other name.
+  if (!entered || written_.substr(0, name_.size() - 1) == name_.data()) return;
   const std::string word = as_word(name_.data());
   pending_.push_back(what.place == 0 ? "rename " + as_word(what.solid) + " " + word
                                      : change_of(what, "label", word));
@@ -117,6 +119,12 @@ void ModelPanel::draw_name(const Selection& what, const Node& node) {
 
 // Fields that a hand drags, or types into. What one drag does is one command, however long it was.
 void ModelPanel::draw_moves(ModelDesk& desk, const Selection& what, const Node& node) {
+  // What was held may have gone while it was, with the selection.
+  if (active_ == 0) {
+    moved_ = turned_ = glm::dvec3(0);
+    scaled_ = glm::dvec3(1);
+    factor_ = 1;
+  }
   const auto released = [] { return ImGui::IsItemDeactivated(); };
   const auto give = [&](bool changed, bool nothing, const char* verb,
                         const std::string& arguments) {
@@ -209,7 +217,8 @@ bool ModelPanel::choose_surface(const ModelDesk& desk, const char* label, std::i
   };
   const std::int64_t before = number;
   ImGui::PushID(label);
-  const bool open = ImGui::BeginCombo("##surface", number >= 0 ? told(number).c_str() : "several");
+  const std::string shown = number >= 0 ? told(number) : "several";
+  const bool open = ImGui::BeginCombo("##surface", "");
   note(label);
   if (open) {
     std::int64_t typed = number;
@@ -225,7 +234,7 @@ bool ModelPanel::choose_surface(const ModelDesk& desk, const char* label, std::i
     for (const auto& [at, surface] : surfaces) known.push_back(at);
     for (std::int64_t at = 1; surfaces.empty() && at <= 8; ++at) known.push_back(at);
     for (const std::int64_t at : known) {
-      ImGui::PushID(static_cast<int>(at));
+      ImGui::PushID(std::to_string(at).c_str());
       if (ImGui::Selectable("##number", at == number)) number = at;
       note(fmt::format("surface {}", at));
       ImGui::SameLine(0, 0);
@@ -235,6 +244,7 @@ bool ModelPanel::choose_surface(const ModelDesk& desk, const char* label, std::i
     }
     ImGui::EndCombo();
   }
+  name_in_list(shown);
   ImGui::PopID();
   return number != before;
 }

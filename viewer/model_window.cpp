@@ -146,12 +146,22 @@ class ModelWindow::Impl {
     }
   }
 
+  // Who takes back, or deletes, what a handle is changing has let go of it.
+  void let_go() {
+    if (!hand_.holds()) return;
+    hand_.release(desk_);
+    button_ = 0;
+  }
+
   void press(const SDL_Keysym& key) {
     const bool shift = (key.mod & KMOD_SHIFT) != 0;
     if ((key.mod & KMOD_CTRL) != 0) {
       switch (key.sym) {
-        case SDLK_z: desk_.execute(shift ? "redo" : "undo"); break;
-        case SDLK_y: desk_.execute("redo"); break;
+        case SDLK_z:
+        case SDLK_y:
+          let_go();
+          desk_.execute(shift || key.sym == SDLK_y ? "redo" : "undo");
+          break;
         case SDLK_o: panel_.files().open_scene(); break;
         case SDLK_s:
           if (shift) panel_.files().save_script();
@@ -167,8 +177,12 @@ class ModelWindow::Impl {
       case SDLK_r: hand_.kind = HandleKind::turn; break;
       case SDLK_s: hand_.kind = HandleKind::scale; break;
       case SDLK_h: hand_.kind.reset(); break;
-      case SDLK_ESCAPE: desk_.select(std::nullopt); break;
+      case SDLK_ESCAPE:
+        let_go();
+        desk_.select(std::nullopt);
+        break;
       case SDLK_DELETE:
+        let_go();
         if (const auto& chosen = desk_.selection(); chosen && chosen->place == 0)
           desk_.execute("delete " + modeler::as_word(chosen->solid));
         break;

@@ -2,6 +2,7 @@
 
 #include <backends/imgui_impl_sdlrenderer.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 
@@ -72,12 +73,22 @@ void PanelFrame::draw(const std::function<void()>& parts) {
                    ImGuiWindowFlags_NoNav);
   parts();
   ImGui::End();
+  close_list();
   ImGui::Render();
   input_.end_frame();
   // The backend leaves the density of the pixels to the renderer's scale.
   SDL_RenderSetScale(renderer_, io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y);
   ImGui_ImplSDLRenderer_RenderDrawData(ImGui::GetDrawData());
   SDL_RenderSetScale(renderer_, 1, 1);
+}
+
+// Esc closes menus, lists and choosers; a dialog sees to itself.
+void PanelFrame::close_list() {
+  if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
+  const auto& open = ImGui::GetCurrentContext()->OpenPopupStack;
+  if (open.empty() || open.back().Window == nullptr) return;
+  if ((open.back().Window->Flags & ImGuiWindowFlags_Modal) != 0) return;
+  ImGui::ClosePopupToLevel(open.Size - 1, true);
 }
 
 bool PanelFrame::list_open() const { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }

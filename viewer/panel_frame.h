@@ -35,12 +35,13 @@ class PanelFrame {
   /// Textures lost their content: they are made anew.
   void forget();
 
-  /// Draws what `parts` makes.
+  /// Draws what `parts` makes. Esc closes the list that is open.
   void draw(const std::function<void()>& parts);
 
  private:
   enum class Owner { picture, panel };
   Owner owner_at(int x) const;
+  void close_list();
 
   struct Context {
     Context();
