@@ -50,6 +50,10 @@ void hear(const modeler::Reply& reply, const Session& session) {
 }
 
 int run_standard_input(modeler::Interpreter& interpreter, const Session& session) {
+  // What comes from a file is an input as a script is.
+  const Path input = "/dev/stdin";
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(input, ignored)) interpreter.protect(input);
   modeler::Script script(interpreter, "-",
                          [&](const modeler::Reply& reply) { hear(reply, session); });
   std::size_t number = 0;

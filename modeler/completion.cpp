@@ -66,7 +66,7 @@ void offer_places(const Node& tree, std::string_view typed, Completion& completi
     const Primitive* primitive = node.primitive();
     const std::string_view what =
         primitive != nullptr ? name_of(primitive->kind) : name_of(node.composite()->operation);
-    completion.notes.push_back(node.name + ": " + std::string(what));
+    completion.notes.push_back(visible(node.name) + ": " + std::string(what));
   }
 }
 

@@ -51,7 +51,7 @@ NodePtr transformed(const Node& tree, std::span<const Step* const> steps) {
 NodePtr changed(const Node& node, const NodeChange& change, bool apart) {
   if (const Step* step = std::get_if<Step>(&change)) return transformed(node, {&step, 1});
   if (const Label* label = std::get_if<Label>(&change)) {
-    require_name(label->text);
+    require_label(label->text);
     return renamed(node, label->text);
   }
   const Composite* composite = node.composite();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "modeler/coincidence.h"
+#include "modeler/command_line.h"
 #include "modeler/operations.h"
 #include "modeler/sampling.h"
 #include "modeler/step.h"
@@ -101,8 +102,9 @@ std::string surface_list(const Node& tree) {
   return fmt::format("  surface{} {}\n", numbers.size() == 1 ? "" : "s", fmt::join(numbers, ", "));
 }
 
-std::string volume_text(const Node& tree) {
-  const Sampling sampling = sample(tree, std::clamp(kMostTests / tree.count, kRays / 16, kRays));
+std::string volume_text(const Node& tree, const std::stop_token& stop) {
+  const Sampling sampling =
+      sample(tree, std::clamp(kMostTests / tree.count, kRays / 16, kRays), stop);
   if (!sampling.inside)
     return sampling.rays == 0 ? "  volume 0: the bounds are empty\n"
                               : fmt::format("  volume 0: none of {} rays met it\n", sampling.rays);
@@ -129,10 +131,10 @@ std::string text_of_empty(const Node& node) {
 }
 
 // As show frames it.
-Box box_in_obs(const Node& tree) {
+Box box_in_obs(const Node& tree, const std::stop_token& stop) {
   const Box& box = tree.bounds;
-  if (is_empty(box) || !std::isfinite(glm::length(box.high - box.low))) return {};
-  return bounds_in_obs(tree, framing(filled_box(tree), 4.0 / 3)).front();
+  if (!can_be_framed(box)) return {};
+  return bounds_in_obs(tree, framing(filled_box(tree, stop), 4.0 / 3)).front();
 }
 
 }  // namespace
@@ -169,11 +171,11 @@ std::string tree_text(const Node& tree, std::size_t most) {
     const Composite* composite = node->composite();
     if (composite == nullptr) {
       const Primitive& primitive = *node->primitive();
-      text += fmt::format("{}: {}, {}\n", node->name, name_of(primitive.kind),
+      text += fmt::format("{}: {}, {}\n", visible(node->name), name_of(primitive.kind),
                           surfaces_text(primitive));
       continue;
     }
-    text += fmt::format("{}: {}", node->name, name_of(composite->operation));
+    text += fmt::format("{}: {}", visible(node->name), name_of(composite->operation));
     if (level == kMostLevels) {
       text += fmt::format(", and {} below\n", counted(node->count - 1, "node"));
       shown += node->count - 1;
@@ -193,9 +195,11 @@ std::optional<std::string> empty_warning(const Node& node) {
   return std::nullopt;
 }
 
-std::vector<std::string> warnings(const Node& tree, std::size_t most_coincidences) {
+std::vector<std::string> warnings(const Node& tree, std::size_t most_coincidences,
+                                  std::stop_token stop) {
   std::vector<std::string> found;
-  for (const Node* node : empty_composites(tree)) found.push_back(text_of_empty(*node));
+  for (const Node* node : empty_composites(tree, stop)) found.push_back(text_of_empty(*node));
+  if (stop.stop_requested()) return found;
   const auto pairs = coincident_faces(tree, most_coincidences + 1);
   const auto face = [](const Face& of) {
     return fmt::format("{} of {}", face_name(of.node->primitive()->kind, of.face),
@@ -216,7 +220,8 @@ std::vector<std::string> warnings(const Node& tree, std::size_t most_coincidence
   return found;
 }
 
-std::string inspect(const std::string& name, const Node& tree, Aspect aspect) {
+std::string inspect(const std::string& name, const Node& tree, Aspect aspect,
+                    std::stop_token stop) {
   const bool all = aspect == Aspect::all;
   const auto wanted = [&](Aspect one) { return all || aspect == one; };
   std::string text = fmt::format("{}: {}\n", in_quotes(name), type_text(tree));
@@ -224,14 +229,14 @@ std::string inspect(const std::string& name, const Node& tree, Aspect aspect) {
   if (tree.slot.number != FileSlot::kNone) text += fmt::format("  number {}\n", tree.slot.number);
   if (wanted(Aspect::bounds))
     text += fmt::format("  bounds in SC_CENA {}\n  bounds in SC_OBS  {}\n", text_of(tree.bounds),
-                        text_of(box_in_obs(tree)));
+                        text_of(box_in_obs(tree, stop)));
   if (wanted(Aspect::matrices)) text += matrices_text(tree, all ? kShort : tree.count);
   if (wanted(Aspect::surfaces)) text += surface_list(tree);
   if (wanted(Aspect::tree) && (tree.composite() != nullptr || !all))
     text += tree_text(tree, all ? kShortTree : tree.count);
-  if (wanted(Aspect::volume)) text += volume_text(tree);
+  if (wanted(Aspect::volume)) text += volume_text(tree, stop);
   if (wanted(Aspect::warnings)) {
-    const auto lines = warnings(tree, all ? kShort : 1000);
+    const auto lines = warnings(tree, all ? kShort : 1000, stop);
     for (const std::string& line : lines) text += "  warning: " + line + "\n";
     if (lines.empty()) text += "  no warnings\n";
   }

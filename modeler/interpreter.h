@@ -37,7 +37,7 @@ struct Outlet {
   std::function<std::string(const Planes& picture, int columns)> draw;
   /// Columns of the terminal.
   std::function<int()> columns = [] { return 80; };
-  std::stop_token stop;  ///< ends a long show; no command is begun after it
+  std::stop_token stop;  ///< ends a long show or inspect; no command is begun after it
 };
 
 /// Solids, how they are looked at, what was done to them, and the commands that do it. For one

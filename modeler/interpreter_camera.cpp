@@ -32,10 +32,11 @@ double aspect_of(const std::optional<CameraFile>& camera) {
 }
 
 // Where there is something of them: what a difference takes away need not be in the window.
-Box filled_box(const Lsu& solids) {
+Box filled_box(const Lsu& solids, const std::stop_token& stop) {
   Box all;
   for (const auto& [place, entry] : solids.entries())
-    all = combined(Operation::union_of, all, filled_box(*entry->solid.tree()));
+    all = combined(Operation::union_of, all, filled_box(*entry->solid.tree(), stop));
+  if (stop.stop_requested()) throw CommandError("interrupted");
   return all;
 }
 
@@ -57,7 +58,8 @@ CameraFile Interpreter::camera() const {
   if (looks_.camera) return *looks_.camera;
   if (solids_.empty()) made_up_camera_.reset();
   if (solids_.empty()) return Orbit(Box{}, kAspect).camera();
-  if (!made_up_camera_) made_up_camera_ = Orbit(filled_box(solids_), kAspect).camera();
+  if (!made_up_camera_)
+    made_up_camera_ = Orbit(filled_box(solids_, outlet_.stop), kAspect).camera();
   return *made_up_camera_;
 }
 
@@ -82,9 +84,11 @@ Reply Interpreter::camera_command(Arguments& words) {
     }
     case CameraWord::frame: {
       words.next();
-      const Box box = words.left() > 0 ? filled_box(*require(solids_, words.next())->solid.tree())
-                                       : filled_box(solids_);
+      const Box box = words.left() > 0
+                          ? filled_box(*require(solids_, words.next())->solid.tree(), outlet_.stop)
+                          : filled_box(solids_, outlet_.stop);
       words.end();
+      if (outlet_.stop.stop_requested()) throw CommandError("interrupted");
       return set_camera(Orbit(box, aspect_of(looks_.camera)).camera(), "camera: framed");
     }
     case CameraWord::turn:

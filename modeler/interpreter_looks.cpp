@@ -54,16 +54,18 @@ std::string base_of(std::string name) {
 }
 
 CameraFile camera_for(const Node& tree, const std::string& base,
-                      const std::optional<CameraFile>& given, double aspect) {
+                      const std::optional<CameraFile>& given, double aspect,
+                      const std::stop_token& stop) {
   if (!base.empty()) {
     TextFile file = scene_file(base, "CAM");
     return read_camera(file);
   }
   if (given) return *given;
-  const glm::dvec3 extent = tree.bounds.high - tree.bounds.low;
-  if (is_empty(tree.bounds) || !std::isfinite(extent.x + extent.y + extent.z))
+  if (is_empty(tree.bounds))
     throw CommandError("the solid's bounds are empty: there is nothing to look at");
-  return framing(filled_box(tree), aspect);
+  if (!can_be_framed(tree.bounds))
+    throw CommandError("the solid's bounds are too large for a camera to be made up");
+  return framing(filled_box(tree, stop), aspect);
 }
 
 // The light and the surfaces of BASE, where it has them; numbers that it does not describe keep
@@ -110,7 +112,7 @@ Reply Interpreter::show(Arguments& words) {
   if (wanted.size.width == 0)
     wanted.size = to_file ? ImageSize{} : ImageSize{2 * columns, 2 * columns * 3 / 4};
   const double aspect = double(wanted.size.width) / wanted.size.height;
-  Scene scene = scene_of(tree, camera_for(tree, wanted.base, looks_.camera, aspect));
+  Scene scene = scene_of(tree, camera_for(tree, wanted.base, looks_.camera, aspect, outlet_.stop));
   Planes picture;
   if (wanted.shaded) {
     if (!wanted.base.empty()) take_looks(wanted.base, scene);
@@ -141,7 +143,8 @@ Reply Interpreter::inspect(Arguments& words) const {
   if (words.left() > 0) aspect = value_of(aspects(), words.next(), "part of what is known");
   words.end();
   Reply reply;
-  reply.text = modeler::inspect(name, *require(solids_, name)->solid.tree(), aspect);
+  reply.text = modeler::inspect(name, *require(solids_, name)->solid.tree(), aspect, outlet_.stop);
+  if (outlet_.stop.stop_requested()) throw CommandError("interrupted");
   return reply;
 }
 

@@ -69,8 +69,10 @@ Reply Interpreter::script_command(Arguments& words) {
 
 Reply Interpreter::load_script(const Path& given) {
   std::error_code ignored;
-  const bool there = given.has_extension() || std::filesystem::exists(given, ignored);
-  const Path file = there ? given : with_suffix(given, "model");
+  const Path with_model = with_suffix(given, "model");
+  const bool there = std::filesystem::is_regular_file(given, ignored) || is_device(given) ||
+                     (given.has_extension() && !std::filesystem::exists(with_model, ignored));
+  const Path file = there ? given : with_model;
   TextFile text(file);
   for (const Path& input : being_read())
     if (std::filesystem::equivalent(file, input, ignored))
@@ -97,7 +99,7 @@ Reply Interpreter::load_script(const Path& given) {
 }
 
 Reply Interpreter::save_script(const Path& given) {
-  const Path file = given.has_extension() || is_device(given) ? given : with_suffix(given, "model");
+  const Path file = file_to_write(given, "model");
   for (const Path& input : being_read()) refuse_same_file(file, input);
   // Run from there, the script could not write over itself.
   const auto refuse = [&](const std::vector<History::Note>& notes) {

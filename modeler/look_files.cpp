@@ -20,7 +20,15 @@ bool is_device(const Path& file) {
   return std::filesystem::is_other(file, ignored);
 }
 
+void require_file_name(const Path& file) {
+  const Path name = file.filename();
+  if (!name.empty() && name != "." && name != "..") return;
+  throw CommandError(in_quotes(file.string()) +
+                     (file.empty() ? " is no name of a file" : " is a folder"));
+}
+
 Path file_to_write(const Path& file, std::string_view suffix) {
+  require_file_name(file);
   const std::string given = suffix_of(file);
   if (given == fold_keyword("." + std::string(suffix)) || is_device(file)) return file;
   for (const char* other :

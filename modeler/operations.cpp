@@ -38,6 +38,8 @@ bool is_finite(const Box& box) {
   return true;
 }
 
+bool is_white(char letter) { return letter == ' ' || (letter >= '\t' && letter <= '\r'); }
+
 bool turns_or_scales(const Step& step) {
   return step.kind == Step::Kind::scale || step.kind == Step::Kind::rotation;
 }
@@ -51,15 +53,19 @@ glm::dvec3 centre_of(const Box& bounds, std::string_view name) {
 
 }  // namespace
 
-void require_name(std::string_view name) {
-  if (name.empty()) throw CommandError("a solid's name cannot be empty");
-  if (name.front() == ' ' || name.back() == ' ')
-    throw CommandError("the name " + in_quotes(name) +
+void require_label(std::string_view text) {
+  if (text.empty()) throw CommandError("a solid's name cannot be empty");
+  if (is_white(text.front()) || is_white(text.back()))
+    throw CommandError("the name " + in_quotes(text) +
                        " begins or ends in white space, which the .CSG does not keep");
+}
+
+void require_name(std::string_view name) {
+  require_label(name);
   for (std::size_t i = 0; i < name.size(); ++i)
     if (static_cast<unsigned char>(name[i]) < 0x20 || name[i] == 0x7F)
       throw CommandError("the name " + in_quotes(name) +
-                         " holds a control character, which the .CSG does not keep");
+                         " holds a control character; only a label may");
 }
 
 EntryPtr require(const Lsu& solids, std::string_view name) {

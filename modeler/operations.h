@@ -67,7 +67,11 @@ EntryPtr require(const Lsu& solids, std::string_view name);
 /// out among those that are taken.
 std::string free_name(const Lsu& solids, const std::string& name, std::string_view besides = {});
 
-/// Refuses what the .CSG could not hold: nothing at all, white space at an end, control characters.
+/// Refuses what the .CSG could not hold: nothing at all, white space at an end. So it is for a
+/// label.
+void require_label(std::string_view text);
+
+/// The same, and control characters, which the .CSG may hold but no list should.
 void require_name(std::string_view name);
 
 }  // namespace sir::modeler

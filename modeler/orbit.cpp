@@ -23,9 +23,7 @@ glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
 }
 
 CameraFile framed(const Box& bounds, double aspect) {
-  const glm::dvec3 extent = bounds.high - bounds.low;
-  const bool usable = !is_empty(bounds) && std::isfinite(extent.x + extent.y + extent.z);
-  return framing(usable ? bounds : Box{glm::dvec3(-1), glm::dvec3(1)}, aspect);
+  return framing(can_be_framed(bounds) ? bounds : Box{glm::dvec3(-1), glm::dvec3(1)}, aspect);
 }
 
 }  // namespace

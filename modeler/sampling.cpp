@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "modeler/step.h"
 #include "modeler/view.h"
@@ -53,7 +54,7 @@ std::vector<char> inside(const std::vector<const Node*>& nodes, const glm::dvec3
 
 }  // namespace
 
-Sampling sample(const Node& tree, std::size_t rays) {
+Sampling sample(const Node& tree, std::size_t rays, std::stop_token stop) {
   Sampling result;
   const Box& box = tree.bounds;
   const glm::dvec3 extent = box.high - box.low;
@@ -68,6 +69,7 @@ Sampling sample(const Node& tree, std::size_t rays) {
     const int axis = static_cast<int>(group % 3), u = (axis + 1) % 3, v = (axis + 2) % 3;
     double length = 0;
     for (std::size_t i = 0; i < per_group; ++i) {
+      if (stop.stop_requested()) return result;
       const glm::dvec2 at = spread(group * per_group + i);
       glm::dvec3 origin = box.low, direction(0);
       origin[u] += at.x * extent[u];
@@ -99,7 +101,7 @@ Sampling sample(const Node& tree, std::size_t rays) {
   return result;
 }
 
-Box filled_box(const Node& tree) {
+Box filled_box(const Node& tree, std::stop_token stop) {
   constexpr std::size_t kRays = 12 * 512, kMostTests = 20'000'000;  // primitives times rays
   bool takes_away = false;
   for (const Node* node : preorder(tree))
@@ -107,7 +109,7 @@ Box filled_box(const Node& tree) {
       takes_away = takes_away || composite->operation != Operation::union_of;
   const std::size_t rays = std::min(kRays, kMostTests / tree.count);
   if (!takes_away || rays < kRays / 8) return tree.bounds;  // they would tell nothing, or take long
-  const Sampling sampling = sample(tree, rays);
+  const Sampling sampling = sample(tree, rays, std::move(stop));
   if (!sampling.inside) return tree.bounds;
   // Between two rays something may reach beyond what both met.
   const glm::dvec3 gap =
@@ -129,7 +131,7 @@ bool leaves_nothing(const Node& node) {
          (composite->operation == Operation::difference || holds(*composite->right));
 }
 
-std::vector<const Node*> empty_composites(const Node& tree) {
+std::vector<const Node*> empty_composites(const Node& tree, std::stop_token stop) {
   const std::vector<const Node*> nodes = preorder(tree);
   std::vector<char> filled(nodes.size());  // something is known to be in it
   std::vector<char> unknown(nodes.size());
@@ -139,11 +141,12 @@ std::vector<const Node*> empty_composites(const Node& tree) {
     if (node.composite() == nullptr) filled[i] = 1;
     if (filled[i] != 0 || is_empty(node.bounds)) continue;
     work += node.count;
+    if (stop.stop_requested()) return {};
     if (work > kMostNodes) {
       unknown[i] = 1;
       continue;
     }
-    const Sampling sampling = sample(node, kRaysForEmptiness);
+    const Sampling sampling = sample(node, kRaysForEmptiness, stop);
     if (!sampling.inside) continue;
     // A point of the whole is in some of its parts as well: no need to look for one there.
     filled[i] = 1;

@@ -129,7 +129,7 @@ std::string script_text(const Node& tree, const std::string& save_as) {
     std::string name;
     if (composite == nullptr) {
       if (after_combine) text += "\n";
-      name = names.take(node->name);
+      name = names.take(visible(node->name));
       const Primitive& primitive = *node->primitive();
       text += fmt::format("create {} {}", as_word(name), name_of(primitive.kind));
       const int numbers = primitive.surface_per_face ? face_count(primitive.kind) : 1;
@@ -141,7 +141,7 @@ std::string script_text(const Node& tree, const std::string& save_as) {
       made.pop_back();
       const std::string left = std::move(made.back());
       made.pop_back();
-      name = names.take(node->name);
+      name = names.take(visible(node->name));
       const bool apart = composite->operation != Operation::union_of &&
                          !meet(composite->left->bounds, composite->right->bounds);
       text += fmt::format("combine {} {} {} {}{}\n", as_word(name), as_word(left),

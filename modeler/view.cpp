@@ -28,10 +28,20 @@ glm::dvec3 hue_of(std::int64_t number) {
 
 }  // namespace
 
+bool can_be_framed(const Box& bounds) {
+  constexpr double kFarthest = 1e300;  // far from where sums become infinite
+  if (is_empty(bounds)) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (bounds.low[axis] < -kFarthest || bounds.high[axis] > kFarthest) return false;
+  return true;
+}
+
 CameraFile framing(const Box& bounds, double aspect) {
   CameraFile camera;
-  const double radius = std::max(glm::length(bounds.high / 2.0 - bounds.low / 2.0),
-                                 std::numeric_limits<double>::min());
+  const glm::dvec3 half = bounds.high / 2.0 - bounds.low / 2.0;
+  // Squares of what is very large or small are no numbers.
+  const double radius =
+      std::max(std::hypot(half.x, half.y, half.z), std::numeric_limits<double>::min());
   camera.target = bounds.centre();
   camera.normal = kDirection;
   camera.distance = radius;  // the screen touches the sphere around the box
@@ -114,9 +124,12 @@ Lighting made_up_lighting(const CameraFile& camera) {
   Lighting lighting;
   lighting.background = {0.12, 0.14, 0.18};
   lighting.ambient = glm::dvec3(0.35);
-  const double far = 10 * (camera.distance + camera.focal);
+  // What is very far away stays a number.
+  constexpr double kMost = std::numeric_limits<double>::max();
+  const double far = std::min(10 * (camera.distance + camera.focal), 1e300);
   lighting.lights.push_back(
-      {frame.origin + far * frame.turned_back({-0.6, 0.8, -1}), glm::dvec3(0.8)});
+      {glm::clamp(frame.origin + far * frame.turned_back({-0.6, 0.8, -1}), -kMost, kMost),
+       glm::dvec3(0.8)});
   return lighting;
 }
 

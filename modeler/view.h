@@ -13,9 +13,12 @@
 
 namespace sir::modeler {
 
+/// Whether the box holds a point and is not so large that the camera's numbers would not be finite.
+bool can_be_framed(const Box& bounds);
+
 /// A camera that has the whole box in its window, 5 % of it free on each side: in perspective, from
 /// the front, a little from the right and from above, along (-0.5, -0.5, -1). `aspect`: width over
-/// height. The box holds a point and is finite.
+/// height. The box can_be_framed().
 CameraFile framing(const Box& bounds, double aspect);
 
 /// ENVOLTORIO in SC_OBS of every node, in the order of preorder(): of primitives tight, of

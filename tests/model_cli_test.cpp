@@ -48,6 +48,14 @@ TEST_F(ModelCli, AnErrorNamesTheScriptAndTheLineAndExitsWithOne) {
   EXPECT_THAT(folder.read("self.model"), HasSubstr("create a cube 1"));
 }
 
+TEST_F(ModelCli, TheScriptThatStandardInputComesFromIsNotOverwritten) {
+  folder.write("in.model", "create a cube 1\nsave a in.model\n");
+  Start start;
+  start.in_file = "in.model";
+  expect_failure(sir({"model"}, start), "-:2: in.model: is an input");
+  EXPECT_THAT(folder.read("in.model"), HasSubstr("create a cube 1\nsave"));
+}
+
 TEST_F(ModelCli, LooksAreSaidInScriptsToo) {
   folder.write("a.model",
                "create a cube 1\ncamera target 0.5 0.5 0.5 distance 4\n"

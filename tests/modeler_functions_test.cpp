@@ -294,11 +294,21 @@ TEST_F(Functions, FilesThatCannotBeReadOrWrittenAreNamed) {
   expect_refused("load a " + at + "/bad", "bad.CSG:8");
   expect_refused("save a " + at + "/no/s", "/no/s.CSG: cannot be written");
   expect_refused("save a " + at + "/s.LUZ", "another kind of file");
+  expect_refused("save a \"\"", "no name of a file");
+  expect_refused("save a " + at + "/", "is a folder");
   expect_refused("save b " + at + "/s", "there is no solid \"b\"");
   interpreter.protect(folder.write("mine.model", "#"));
   expect_refused("save a " + at + "/mine.model", "mine.model");
   EXPECT_EQ(folder.read("mine.model"), "#");
   EXPECT_THAT(folder.list(), ElementsAre("bad.CSG", "cut.CSG", "mine.model"));
+}
+
+TEST_F(Functions, APointInAFilesNameMakesNoSuffix) {
+  const std::string file = (folder / "v1.2").string();
+  say_all({"create a cube 1"});
+  EXPECT_EQ(say("save a " + file).done, "wrote " + file + ".CSG (1 node)");
+  say("load again " + file);
+  EXPECT_TRUE(has("again"));
 }
 
 TEST_F(Functions, ListTellsWhatThereIs) {

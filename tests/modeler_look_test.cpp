@@ -319,6 +319,49 @@ TEST_F(Look, FacesThatCoincideAreFound) {
   EXPECT_THAT(pairs("near"), IsEmpty());
 }
 
+// Ctrl-C need not wait for the rays.
+TEST_F(Look, AStopEndsSampling) {
+  say_all({"create a cube 1", "create b sphere 1", "combine c a difference b"});
+  std::stop_source source;
+  source.request_stop();
+  const std::stop_token stop = source.get_token();
+  constexpr std::size_t kForever = std::size_t{1} << 50;
+  EXPECT_FALSE(modeler::sample(solid("c"), kForever, stop).inside);
+  EXPECT_TRUE(modeler::empty_composites(solid("c"), stop).empty());
+  EXPECT_EQ(modeler::filled_box(solid("c"), stop).high, solid("c").bounds.high);
+  EXPECT_THAT(modeler::inspect("c", solid("c"), modeler::Aspect::volume, stop),
+              Not(HasSubstr("give or take")));
+}
+
+// However large or small the solid, made-up cameras and lights are numbers that a file can hold.
+TEST_F(Look, WhatIsMadeUpIsFinite) {
+  const auto read_back = [&] {
+    TextFile camera("camera", camera_text(interpreter.camera()));
+    EXPECT_NO_THROW(read_camera(camera));
+    TextFile light("light", lighting_text(interpreter.lighting()));
+    EXPECT_NO_THROW(read_lighting(light));
+  };
+  say("create a sphere 1");
+  const std::string usual = say("show a").text;
+  for (const char* factor : {"1e-200", "1e200", "1e299"}) {
+    say(std::string("scale a ") + factor);
+    say("camera auto");
+    read_back();
+    EXPECT_EQ(say("show a").text, usual) << factor;
+    say("undo");
+  }
+  for (const char* line : {"scale a 1e300", "translate a 1e305 0 0"}) say(line);
+  say("camera auto");
+  read_back();
+  expect_refused("show a", "too large");
+  say("camera distance 1e308");
+  read_back();
+  say("light add 1 2 3 4");
+  modeler::Interpreter again;
+  for (const std::string& line : interpreter.script()) again.execute(line);
+  EXPECT_EQ(looks_of(again), looks_of(interpreter));
+}
+
 TEST_F(Look, NearlySingularMatricesAreFound) {
   say_all({"create a cube 1", "matrix a 1 1 0 1 1.0000000001 0 0 0 1 0 0 0"});
   EXPECT_THAT(modeler::warnings(solid("a")), ElementsAre(HasSubstr("nearly singular")));

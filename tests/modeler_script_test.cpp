@@ -126,6 +126,22 @@ TEST_F(ScriptTest, NamesThatRepeatAreToldApartOnlyWhereTheyMeet) {
   EXPECT_EQ(built(script_of(read(text))), text);
 }
 
+// A .CSG may hold control characters within a name, which no list should.
+TEST_F(ScriptTest, NamesWithControlCharactersAreLabels) {
+  say_all({"create a cube 1", "create b cube 1", "combine c a union b", "edit c 1 label \"x\ty\"",
+           "edit c 2 label \"x\ty\"", "label c \"\x1b[2J\""});
+  const std::string text = csg_text(modeler::to_csg(solid("c")));
+  EXPECT_THAT(text, HasSubstr("\nx\ty\n"));
+  EXPECT_EQ(built(script_of(read(text))), text);
+  // A terminal is not told what to do.
+  const std::string shown = say("inspect c tree").text;
+  EXPECT_THAT(shown, HasSubstr("?[2J: union"));
+  EXPECT_EQ(shown.find('\x1b'), shown.npos);
+  for (const char* text_at_an_end : {"\"x\t\"", "\"\tx\"", "\" x\""})
+    expect_refused(std::string("label c ") + text_at_an_end, "white space");
+  expect_refused("rename c \"x\ty\"", "only a label may");
+}
+
 TEST_F(ScriptTest, NumbersThatAreNotThoseOfThePlacesAreKept) {
   // Leaves first, from 0, as programs write.
   const std::string text =

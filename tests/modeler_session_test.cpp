@@ -221,6 +221,8 @@ TEST_F(Session, TheScriptIsToldAndSaved) {
   EXPECT_EQ(interpreter.script().size(), 3u);
   expect_refused("script sav x", "did you mean save?");
   expect_refused("script save", "it is script save FILE");
+  expect_refused("script save glass.CSG", "the name of another kind of file; this is a .model");
+  expect_refused("script save " + file(""), "is a folder");
   expect_refused("script save " + file("none/x"), "none");
   // What is being read is not overwritten, and what has been read by this command alone.
   interpreter.protect(folder / "s.model");
@@ -230,6 +232,14 @@ TEST_F(Session, TheScriptIsToldAndSaved) {
   expect_refused("save a " + file("s.model"), "is not overwritten");
   say("save a " + file("a.model"));
   expect_refused("script save " + file("a"), "is what a command of the script writes: save a");
+}
+
+TEST_F(Session, APointInAScriptsNameMakesNoSuffix) {
+  say("create a cube 1");
+  EXPECT_EQ(say("script save " + file("v1.2")).done, "wrote " + file("v1.2.model"));
+  say("delete a");
+  say("script load " + file("v1.2"));
+  EXPECT_TRUE(has("a"));
 }
 
 TEST_F(Session, AScriptIsDoneWhollyOrNotAtAll) {
