@@ -88,7 +88,13 @@ class EditingReader : public LineReader {
       const ssize_t got = ::read(STDIN_FILENO, &byte, 1);
       if (got < 0 && errno == EINTR) continue;
       if (got <= 0) return static_cast<int>(got);
-      const std::size_t used = std::mbrtowc(character, &byte, 1, &state);
+      const bool within = std::mbsinit(&state) == 0;
+      std::size_t used = std::mbrtowc(character, &byte, 1, &state);
+      if (used == static_cast<std::size_t>(-1) && within) {
+        // What came before was no character; this byte may well be one.
+        state = {};
+        used = std::mbrtowc(character, &byte, 1, &state);
+      }
       if (used == static_cast<std::size_t>(-2)) continue;  // there is more to it
       if (used != static_cast<std::size_t>(-1)) return 1;
       state = {};  // no character: passed over

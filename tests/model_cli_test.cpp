@@ -230,6 +230,17 @@ TEST_F(ModelPrompt, WarnsOnceOfWhatIsNotSaved) {
 }
 
 #ifdef SIR_WITH_EDIT
+// Half a character, as a terminal that is not in UTF-8 sends it.
+TEST_F(ModelPrompt, WhatIsNoCharacterTakesNoOtherWithIt) {
+  AtTerminal terminal({"model"}, folder.path(), 80);
+  ASSERT_TRUE(terminal.wait_for("sir> "));
+  wait_for_editor(terminal);
+  answer(terminal, "create C\xE1lice sphere 1\r", "\nClice: sphere");
+  answer(terminal, "delete Clice\xE1\r", "\nClice: deleted");  // nor the end of the line
+  terminal.type("quit\r");
+  EXPECT_EQ(terminal.finish(), 0);
+}
+
 TEST_F(ModelPrompt, CompletesAndRemembers) {
   {
     AtTerminal terminal({"model"}, folder.path(), 80);
