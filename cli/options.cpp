@@ -18,6 +18,7 @@
 #include "cli/hsv_command.h"
 #include "cli/lut_options.h"
 #include "cli/metrics_command.h"
+#include "cli/model_command.h"
 #include "cli/option_values.h"
 #include "cli/planes_command.h"
 #include "cli/probe_command.h"
@@ -250,6 +251,7 @@ int run(int argc, char** argv) {
   app.add_flag("-q", session.quiet, "say nothing but errors");
   app.add_flag("-v", session.verbose, "say more");
   app.require_subcommand(1);
+  add_model(app, action);
   add_render(app, action);
   add_lut(app, action);
   add_paint(app, action);

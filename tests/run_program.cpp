@@ -82,7 +82,8 @@ Program::Program(const std::string& path, const std::vector<std::string>& argume
     const int to_file =
         start.out_file.empty() ? out.write_end : ::open(start.out_file.c_str(), O_WRONLY);
     if (!start.folder.empty() && ::chdir(start.folder.c_str()) != 0) ::_exit(126);
-    ::dup2(in.read_end, STDIN_FILENO);
+    ::dup2(start.in_file.empty() ? in.read_end : ::open(start.in_file.c_str(), O_RDONLY),
+           STDIN_FILENO);
     ::dup2(to_file, STDOUT_FILENO);
     ::dup2(err.write_end, STDERR_FILENO);
     ::execv(path.c_str(), words.data());

@@ -13,6 +13,7 @@ namespace sir::test {
 /// How a program is started.
 struct Start {
   std::string in;                ///< its standard input; ends unless `keep_in_open`
+  std::string in_file;           ///< its standard input comes from there; empty: `in`
   std::filesystem::path folder;  ///< its working directory; empty: ours
   std::string out_file;          ///< its standard output goes there, e.g. /dev/full
   bool out_closed = false;       ///< nobody reads its standard output

@@ -11,8 +11,10 @@ glm::vec<3, T> disc_extent(const glm::mat<3, 3, T>& linear) {
   return extent;
 }
 
+}  // namespace
+
 template <typename T>
-Bounds<T> tight_bounds(PrimitiveKind kind, const LocalCena<T>& placement) {
+Bounds<T> tight_bounds_of(PrimitiveKind kind, const LocalCena<T>& placement) {
   const auto& m = placement.linear;
   const auto& origin = placement.translation;
   Bounds<T> box;
@@ -47,11 +49,9 @@ Bounds<T> tight_bounds(PrimitiveKind kind, const LocalCena<T>& placement) {
   return box;
 }
 
-}  // namespace
-
 template <typename T>
 Bounds<T> bounds_of(PrimitiveKind kind, const LocalCena<T>& placement) {
-  Bounds<T> box = tight_bounds(kind, placement);
+  Bounds<T> box = tight_bounds_of(kind, placement);
   for (int axis = 0; axis < 3; ++axis) {
     // The terms that were summed count, not the sum: they may have cancelled.
     const T size =
@@ -63,6 +63,9 @@ Bounds<T> bounds_of(PrimitiveKind kind, const LocalCena<T>& placement) {
   return box;
 }
 
+template Bounds<float> tight_bounds_of(PrimitiveKind, const LocalCena<float>&);
+template Bounds<double> tight_bounds_of(PrimitiveKind, const LocalCena<double>&);
+template Bounds<long double> tight_bounds_of(PrimitiveKind, const LocalCena<long double>&);
 template Bounds<float> bounds_of(PrimitiveKind, const LocalCena<float>&);
 template Bounds<double> bounds_of(PrimitiveKind, const LocalCena<double>&);
 template Bounds<long double> bounds_of(PrimitiveKind, const LocalCena<long double>&);

@@ -31,8 +31,12 @@ struct Bounds {
   glm::vec<3, T> centre() const { return low / T(2) + high / T(2); }
 };
 
-/// The envelope of a primitive, tight but for rounding, and widened by the
-/// roundings of Numeric::kBoxRoundings.
+/// The envelope of a primitive, tight but for rounding. Of the placement only the way to SC_CENA
+/// counts.
+template <typename T>
+Bounds<T> tight_bounds_of(PrimitiveKind kind, const LocalCena<T>& placement);
+
+/// The same, widened by the roundings of Numeric::kBoxRoundings.
 template <typename T>
 Bounds<T> bounds_of(PrimitiveKind kind, const LocalCena<T>& placement);
 

@@ -20,6 +20,14 @@ struct TraceOptions {
   bool packets = true;                   ///< rays go by packets, where the engine is `gates`
   Formulas formulas = Formulas::robust;  ///< what render() makes the Model for
 
+  /// No rays beyond the first: for who asks what a ray meets, and not what is seen there.
+  static TraceOptions primary_rays_only() {
+    TraceOptions options;
+    options.depth_limit = 1;
+    options.allowed_effects.shadow = false;
+    return options;
+  }
+
   /// Of those allowed, the effects that the depth limit leaves room for: at a
   /// limit of 1 nothing is mirrored or refracted, unless it stands for the
   /// background.

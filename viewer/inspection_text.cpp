@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "tracer/intersect.h"
+#include "tracer/names.h"
 #include "viewer/font.h"
 #include "viewer/inspection.h"
 
@@ -200,11 +202,9 @@ class Description {
   void ray(const RayFind& ray) {
     gap();
     if (!ray.hit) return say("ray: the background");
-    constexpr std::array kKinds{"cube", "sphere", "cone", "cylinder"};
     say("ray: node {} \"{}\", t {:.6g}", ray.node, shortened(ray.node_name), ray.t);
-    const std::string face = face_name(ray.kind, ray.face);
-    say("  {} face {}{}", kKinds[static_cast<std::size_t>(ray.kind)], ray.face,
-        face.empty() ? "" : " (" + face + ")");
+    say("  {} face {}{}", name_of(ray.kind), ray.face,
+        face_count(ray.kind) == 1 ? "" : fmt::format(" ({})", face_name(ray.kind, ray.face)));
     say("  surface {} \"{}\"", ray.surface, shortened(ray.surface_name));
   }
 

@@ -26,11 +26,25 @@ constexpr std::array kKeys{
     std::pair{ImGuiKey_Delete, SDL_SCANCODE_DELETE},
     std::pair{ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
     std::pair{ImGuiKey_Enter, SDL_SCANCODE_RETURN},
+    std::pair{ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER},
     std::pair{ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
+    // With Ctrl, in fields: all, copy, paste, cut, redo, undo.
+    std::pair{ImGuiKey_A, SDL_SCANCODE_A},
+    std::pair{ImGuiKey_C, SDL_SCANCODE_C},
+    std::pair{ImGuiKey_V, SDL_SCANCODE_V},
+    std::pair{ImGuiKey_X, SDL_SCANCODE_X},
+    std::pair{ImGuiKey_Y, SDL_SCANCODE_Y},
+    std::pair{ImGuiKey_Z, SDL_SCANCODE_Z},
 };
 
 std::size_t button_of(std::uint8_t button) {
   return button == SDL_BUTTON_LEFT ? 0u : button == SDL_BUTTON_RIGHT ? 1u : 2u;
+}
+
+// A letter is the key that writes it, which is elsewhere on some keyboards.
+std::size_t key_of(const SDL_Keysym& key) {
+  const bool letter = key.sym >= SDLK_a && key.sym <= SDLK_z;
+  return static_cast<std::size_t>(letter ? SDL_SCANCODE_A + (key.sym - SDLK_a) : key.scancode);
 }
 
 const ImVec2 kNowhere{-std::numeric_limits<float>::max(), -std::numeric_limits<float>::max()};
@@ -41,6 +55,15 @@ PanelInput::PanelInput() {
   ImGuiIO& io = ImGui::GetIO();
   io.BackendPlatformName = "sir";
   for (const auto& [key, scancode] : kKeys) io.KeyMap[key] = scancode;
+  io.ClipboardUserData = &clipboard_;
+  io.GetClipboardTextFn = [](void* kept) {
+    char* text = SDL_GetClipboardText();
+    auto& clipboard = *static_cast<std::string*>(kept);
+    clipboard = text != nullptr ? text : "";
+    SDL_free(text);
+    return clipboard.c_str();
+  };
+  io.SetClipboardTextFn = [](void*, const char* text) { SDL_SetClipboardText(text); };
 }
 
 void PanelInput::pass(const SDL_Event& event) {
@@ -63,7 +86,7 @@ void PanelInput::pass(const SDL_Event& event) {
     case SDL_TEXTINPUT: io.AddInputCharactersUTF8(event.text.text); break;
     case SDL_KEYDOWN:
     case SDL_KEYUP: {
-      const auto key = static_cast<std::size_t>(event.key.keysym.scancode);
+      const auto key = key_of(event.key.keysym);
       if (key < std::size(io.KeysDown)) {
         std::erase(rising_, key);
         if (event.type == SDL_KEYDOWN) io.KeysDown[key] = true;
@@ -111,9 +134,6 @@ void PanelInput::begin_frame(SDL_Window* window, SDL_Renderer* renderer) {
              static_cast<float>(pixels.height) / static_cast<float>(std::max(height, 1)));
   for (std::size_t i = 0; i < held_.size(); ++i) io.MouseDown[i] = held_[i] || pressed_[i];
   pressed_ = {};
-  // Nothing in the panel moves by itself; any step of time does, and this one makes the same
-  // events give the same picture.
-  io.DeltaTime = 1.0f / 60;
 }
 
 }  // namespace sir::viewer

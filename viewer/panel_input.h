@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace sir::viewer {
@@ -14,6 +15,8 @@ namespace sir::viewer {
 class PanelInput {
  public:
   PanelInput();
+  PanelInput(const PanelInput&) = delete;  // Dear ImGui knows where it is
+  PanelInput& operator=(const PanelInput&) = delete;
 
   /// Passes an event on; places of the mouse in the window's units.
   void pass(const SDL_Event& event);
@@ -35,6 +38,7 @@ class PanelInput {
 
   std::array<bool, 3> held_{}, pressed_{};
   std::vector<std::size_t> rising_;  // keys that are down until the drawing is over
+  std::string clipboard_;            // as it was last asked for
 };
 
 }  // namespace sir::viewer

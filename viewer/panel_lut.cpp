@@ -54,7 +54,6 @@ void LutPart::draw_order() {
   for (std::size_t i = 0; i < kOrders.size(); ++i)
     if (ImGui::Selectable(kOrders[i], order_ == static_cast<EntryOrder>(i)))
       order_ = static_cast<EntryOrder>(i);
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
   ImGui::EndCombo();
 }
 

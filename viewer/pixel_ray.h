@@ -40,7 +40,4 @@ class PixelRay {
   Tracer<double> tracer_;
 };
 
-/// What a face is called in the contract of .CSG: "X=0", "side", "base"; empty for a sphere's.
-std::string face_name(PrimitiveKind kind, int face);
-
 }  // namespace sir::viewer

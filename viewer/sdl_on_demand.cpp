@@ -46,10 +46,13 @@ PASS_ON(SDL_Window*, SDL_CreateWindow,
 PASS_ON(void, SDL_DestroyRenderer, (SDL_Renderer * renderer), (renderer))
 PASS_ON(void, SDL_DestroyTexture, (SDL_Texture * texture), (texture))
 PASS_ON(void, SDL_DestroyWindow, (SDL_Window * window), (window))
+PASS_ON(char*, SDL_GetClipboardText, (), ())
 PASS_ON(const char*, SDL_GetCurrentVideoDriver, (), ())
 PASS_ON(int, SDL_GetDisplayUsableBounds, (int displayIndex, SDL_Rect* rect), (displayIndex, rect))
 PASS_ON(const char*, SDL_GetError, (), ())
 PASS_ON(const char*, SDL_GetHint, (const char* name), (name))
+PASS_ON(int, SDL_GetRendererInfo, (SDL_Renderer * renderer, SDL_RendererInfo* info),
+        (renderer, info))
 PASS_ON(int, SDL_GetRendererOutputSize, (SDL_Renderer * renderer, int* w, int* h), (renderer, w, h))
 PASS_ON(int, SDL_GetWindowDisplayIndex, (SDL_Window * window), (window))
 PASS_ON(Uint32, SDL_GetWindowFlags, (SDL_Window * window), (window))
@@ -71,6 +74,7 @@ PASS_ON(void, SDL_RenderPresent, (SDL_Renderer * renderer), (renderer))
 PASS_ON(int, SDL_RenderReadPixels,
         (SDL_Renderer * renderer, const SDL_Rect* rect, Uint32 format, void* pixels, int pitch),
         (renderer, rect, format, pixels, pitch))
+PASS_ON(int, SDL_SetClipboardText, (const char* text), (text))
 PASS_ON(SDL_bool, SDL_SetHint, (const char* name, const char* value), (name, value))
 PASS_ON(void, SDL_SetMainReady, (), ())
 PASS_ON(int, SDL_SetRenderDrawColor, (SDL_Renderer * renderer, Uint8 r, Uint8 g, Uint8 b, Uint8 a),

@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "eltek/screen.h"
+
 namespace sir::viewer {
 
 /// Throws a FileError of the window.
@@ -16,10 +18,13 @@ namespace sir::viewer {
 void check(bool worked, const char* what);
 
 /// SDL's video part for as long as this lives. Throws FileError where there is no display, also
-/// where SDL would draw to none in silence, unless SDL_VIDEODRIVER asks for that by name.
+/// where SDL would draw to none in silence, unless SDL_VIDEODRIVER asks for that by name. `way_out`
+/// ends the message: what else a person can do.
 class Video {
  public:
-  Video();
+  static constexpr const char* kWayOut =
+      "; run it on a desktop (DISPLAY or WAYLAND_DISPLAY set), or use --terminal or --png OUT.png";
+  explicit Video(const std::string& way_out = kWayOut);
   ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;
@@ -39,5 +44,8 @@ struct PixelSize {
   int width = 0, height = 0;
 };
 PixelSize pixel_size(SDL_Renderer* renderer);
+
+/// What has been drawn, before it is presented, as colours.
+eltek::Screen read_back(SDL_Renderer* renderer);
 
 }  // namespace sir::viewer

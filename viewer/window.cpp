@@ -77,15 +77,7 @@ class Window::Impl {
 
   eltek::Screen pixels() {
     draw();
-    const PixelSize size = pixel_size(renderer_.get());
-    eltek::Screen screen{{size.width, size.height}, {}};
-    std::vector<std::uint32_t> words(screen.size.pixels());
-    check(SDL_RenderReadPixels(renderer_.get(), nullptr, SDL_PIXELFORMAT_ARGB8888, words.data(),
-                               4 * screen.size.width) == 0,
-          "cannot be read back");
-    screen.pixels.resize(words.size());
-    std::transform(words.begin(), words.end(), screen.pixels.begin(), rgb);
-    return screen;
+    return read_back(renderer_.get());
   }
 
  private:

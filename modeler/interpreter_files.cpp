@@ -1,0 +1,74 @@
+// save and load (thesis 3.2.2.7, 3.2.2.8).
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "modeler/arguments.h"
+#include "modeler/command_error.h"
+#include "modeler/csg.h"
+#include "modeler/interpreter.h"
+#include "modeler/look_files.h"
+#include "modeler/operations.h"
+#include "modeler/script_text.h"
+#include "tracer/atomic_file.h"
+#include "tracer/scene_file.h"
+#include "tracer/scene_path.h"
+#include "tracer/text_file.h"
+
+namespace sir::modeler {
+namespace {
+
+using Path = std::filesystem::path;
+
+std::string suffix_of(const Path& file) { return fold_keyword(file.extension().string()); }
+
+}  // namespace
+
+void Interpreter::protect(const Path& file) {
+  protected_.push_back(file);
+  std::erase(released_, file);
+}
+
+void Interpreter::release(const Path& file) { released_.push_back(file); }
+
+void Interpreter::require_writable(const Path& file) const {
+  for (const Path& input : protected_) refuse_same_file(file, input);
+}
+
+Reply Interpreter::save(Arguments& words) {
+  const std::string name = words.next();
+  const Path given = words.next();
+  words.end();
+  const EntryPtr solid = require(solids_, name);
+  require_file_name(given);
+  const Node& tree = *solid->solid.tree();
+  const std::string suffix = suffix_of(given);
+  for (const char* other : {".cam", ".luz", ".sup", ".lut", ".r", ".g", ".b", ".png"})
+    if (suffix == other)
+      throw CommandError(in_quotes(given.string()) +
+                         " is the name of another kind of file; a solid is a .CSG or a .model");
+  const bool as_given = suffix == ".csg" || suffix == ".model" || is_device(given);
+  const Path file = as_given ? given : with_suffix(given, "CSG");
+  require_writable(file);
+  Reply reply;
+  if (suffix == ".model") {
+    write_file_atomically(file, script_text(tree, file.stem().string() + ".CSG"));
+  } else {
+    bool numbers_lost = false;
+    const CsgTree nodes = to_csg(tree, &numbers_lost);
+    write_file_atomically(file, csg_text(nodes));
+    if (numbers_lost)
+      reply.warnings.push_back(file.string() +
+                               ": numbered anew, for not all nodes have numbers of their own");
+  }
+  solid->saved = true;
+  reply.done = fmt::format("wrote {} ({})", file.string(), counted(tree.count, "node"));
+  return noted(words, file, std::move(reply));
+}
+
+Changes Interpreter::load(const std::string& name, const Path& given) const {
+  TextFile file = file_to_read(given, "CSG");
+  return insert(solids_, name, from_csg(read_csg(file)));
+}
+
+}  // namespace sir::modeler

@@ -1,0 +1,279 @@
+// The script of a session makes all of it again.
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "tests/modeler_fixture.h"
+#include "tracer/error.h"
+
+namespace sir::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+using Lines = std::vector<std::string>;
+
+class Session : public ModelerTest {
+ protected:
+  std::string file(const std::string& name) { return (folder / name).string(); }
+
+  // A fresh interpreter that has done the script; pictures go to `pictures`.
+  modeler::Interpreter replayed(const Lines& script) {
+    modeler::Interpreter again(outlet());
+    for (const std::string& line : script) again.execute(line);
+    return again;
+  }
+  modeler::Outlet outlet() {
+    modeler::Outlet outlet;
+    outlet.write_picture = [this](const std::filesystem::path& name, const Planes& picture) {
+      pictures.insert_or_assign(name.string(), picture);
+    };
+    return outlet;
+  }
+
+  // Every file of the folder that a line of the script names, and every picture.
+  std::map<std::string, std::string> written_by(const Lines& script) {
+    std::map<std::string, std::string> found;
+    for (const std::string& line : script) {
+      const auto at = line.find(folder.path().string());
+      if (at == line.npos) continue;
+      const std::string name = line.substr(at, line.find(' ', at) - at);
+      const auto picture = pictures.find(name);
+      if (picture != pictures.end())
+        for (const auto& channel : picture->second.channel)
+          found[name].append(channel.begin(), channel.end());
+      else found[name] = folder.read(std::filesystem::path(name).filename().string());
+    }
+    return found;
+  }
+
+  std::map<std::string, Planes> pictures;
+};
+
+// Commands of all sorts, most of which can be done.
+class Player {
+ public:
+  Player(std::uint64_t seed, std::string folder) : random_(seed), folder_(std::move(folder)) {}
+
+  std::string draw(const modeler::Interpreter& interpreter) {
+    const auto& entries = interpreter.solids().entries();
+    const auto any = [&] {
+      if (entries.empty()) return std::string("nothing");
+      auto at = entries.begin();
+      std::advance(at, static_cast<std::ptrdiff_t>(random_() % entries.size()));
+      return "\"" + at->second->name + "\"";
+    };
+    const std::string fresh = "s" + number(20);
+    switch (random_() % 34) {
+      case 0: return "create " + fresh + " cube " + number(4);
+      case 1: return "create " + fresh + " sphere " + number(4);
+      case 2: return "create " + fresh + " cone 1 " + number(4);
+      case 3: return "translate " + any() + " " + real() + " " + real() + " 0";
+      case 4: return "rotate " + any() + " y " + real();
+      case 5:
+      case 6: return "combine " + fresh + " " + any() + " union " + any();
+      case 7: return "split " + any();
+      case 8: return random_() % 2 == 0 ? "delete " + any() : "rename " + any() + " " + fresh;
+      case 9: return "copy " + any() + " " + fresh;
+      case 10: return "camera turn " + real() + " " + real();
+      case 11: return "camera pan " + real() + " " + real();
+      case 12: return "camera zoom " + real() + "  # nearer";
+      case 13: return "camera target " + real() + " 0 0 focal " + real() + " parallel";
+      case 14: return random_() % 2 == 0 ? "camera frame" : "camera frame " + any();
+      case 15: return random_() % 2 == 0 ? "camera auto" : "camera perspective";
+      case 16: return random_() % 2 == 0 ? "undo camera" : "redo camera";
+      case 17: return "light add " + real() + " 1 2 " + real();
+      case 18: return "light move " + number(3) + " 1 " + real() + " 3";
+      case 19: return "light colour " + number(3) + " " + real();
+      case 20: return "light delete " + number(3);
+      case 21: return random_() % 2 == 0 ? "light ambient " + real() : "light background " + real();
+      case 22: return random_() % 3 == 0 ? "light auto" : "light load " SIR_IMAGES "/lcg";
+      case 23: return "surface " + number(5) + " colour " + real() + " specular 0.25";
+      case 24: return "surface " + number(5) + " chequer 3 4 odd diffuse " + real();
+      case 25: return "surfaces delete " + number(5);
+      case 26: return random_() % 4 == 0 ? "surfaces load " SIR_IMAGES "/calice" : "list";
+      case 27: return "view ghosts " + std::string(random_() % 2 == 0 ? "on" : "off");
+      case 28: return "view axes " + std::string(random_() % 2 == 0 ? "on" : "off");
+      case 29: return random_() % 8 == 0 ? "select" : "select " + any() + " " + number(3) + " 0";
+      case 30: return saving(any());
+      case 31:
+      case 32: return "undo";
+      default: return "redo";
+    }
+  }
+
+ private:
+  std::string number(std::uint64_t below) { return std::to_string(random_() % below); }
+  std::string real() { return std::to_string(static_cast<double>(random_() % 2000) / 700 - 1); }
+
+  // To a file of its own each time.
+  std::string saving(const std::string& name) {
+    const std::string to = folder_ + "/f" + std::to_string(files_++);
+    switch (random_() % 6) {
+      case 0: return "save " + name + " " + to + ".CSG";
+      case 1: return "camera save " + to + ".CAM";
+      case 2: return "light save " + to + ".LUZ";
+      case 3: return "surfaces save " + to + ".SUP";
+      case 4: return "show " + name + " " + to + ".png --size 12x9";
+      default: return "show " + name + " " + to + ".png --size 12x9 --shaded";
+    }
+  }
+
+  std::mt19937_64 random_;
+  std::string folder_;
+  int files_ = 0;
+};
+
+TEST_F(Session, TheScriptMakesAllOfItAgain) {
+  std::size_t written_files = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    Player player(seed, folder.path().string());
+    interpreter = modeler::Interpreter(outlet());
+    pictures.clear();
+    int refused = 0, done = 0;
+    while (done < 150) {
+      const std::string command = player.draw(interpreter);
+      const std::string before = state_of(interpreter) + looks_of(interpreter);
+      if (done % 7 == 0) interpreter.hold_camera();
+      if (done % 7 == 3) interpreter.let_go_of_camera();
+      try {
+        say(command);
+        ++done;
+      } catch (const std::exception&) {
+        ++refused;
+        ASSERT_EQ(state_of(interpreter) + looks_of(interpreter), before) << command;
+      }
+      if (done % 50 != 49) continue;
+      const Lines script = interpreter.script();
+      const auto files = written_by(script);
+      modeler::Interpreter again = replayed(script);
+      ASSERT_EQ(state_of(again), state_of(interpreter)) << seed;
+      ASSERT_EQ(looks_of(again), looks_of(interpreter)) << seed;
+      ASSERT_EQ(again.script(), script) << seed;
+      ASSERT_EQ(written_by(script), files) << seed;  // the files are written anew
+      written_files += files.size();
+    }
+    EXPECT_GT(refused, 0);
+    // To the beginning and back.
+    while (interpreter.undoable() > 0) say("undo");
+    EXPECT_TRUE(interpreter.solids().empty());
+    EXPECT_FALSE(interpreter.looks().lighting);
+    EXPECT_TRUE(interpreter.looks().surfaces.empty());
+  }
+  EXPECT_GT(written_files, 100u);
+}
+
+TEST_F(Session, UndoAndRedoTakeFilesOutOfTheScriptAndBringThemBack) {
+  const std::string a = "save a " + file("a.CSG"), light = "light save " + file("l.LUZ");
+  say("light save " + file("first.LUZ"));
+  say("create a cube 1");
+  say(a);
+  say("scale a 2");
+  say("light set ambient 1");
+  say(light);
+  const Lines all = interpreter.script();
+  // The first light is that of the camera that there was.
+  ASSERT_THAT(
+      all, ElementsAre(StartsWith("camera window "), StartsWith("light save "), "create a cube 1",
+                       a, "scale a 2", "light set ambient 1", light, "camera auto"));
+  say_all({"undo", "undo"});
+  EXPECT_EQ(interpreter.script()[3], a);
+  EXPECT_EQ(interpreter.script().size(), 5u);
+  say("undo");
+  EXPECT_EQ(interpreter.script().size(), 3u);
+  std::filesystem::remove(folder / "a.CSG");
+  say_all({"redo", "redo", "redo"});
+  EXPECT_EQ(interpreter.script(), all);
+  EXPECT_FALSE(folder.has("a.CSG"));  // it is not done again
+  say_all({"undo", "undo", "undo", "create b cube 1"});
+  EXPECT_THAT(interpreter.script(),
+              ElementsAre(StartsWith("camera window "), StartsWith("light save "),
+                          "create b cube 1", "camera auto"));
+}
+
+TEST_F(Session, WhatHangsOnTheCameraHasItsLineBeforeIt) {
+  say_all({"create a cube 1", "camera target 1 0 0"});
+  const std::string first = modeler::camera_line(interpreter.camera());
+  say("camera save " + file("1"));
+  say("show a 1.png");
+  for (int i = 0; i < 100; ++i) say("camera turn 0.01 0");
+  const std::string second = modeler::camera_line(interpreter.camera());
+  say("show a 2.png");
+  say("show a 3.png --scene " SIR_IMAGES "/lcg");
+  say("camera zoom 2");
+  const std::string last = modeler::camera_line(interpreter.camera());
+  EXPECT_THAT(interpreter.script(),
+              ElementsAre("create a cube 1", first, "camera save " + file("1"), "show a 1.png",
+                          second, "show a 2.png", "show a 3.png --scene " SIR_IMAGES "/lcg", last));
+  say("list");
+  say("show a");
+  EXPECT_EQ(interpreter.script().size(), 8u);
+}
+
+TEST_F(Session, TheScriptIsToldAndSaved) {
+  say_all({"create a cube 1  # one", "view grid on", "select a"});
+  EXPECT_EQ(say("script").text, "create a cube 1\nview grid on\nselect a\n");
+  EXPECT_THAT(interpreter.unsaved(), ElementsAre("a"));
+  EXPECT_EQ(say("roteiro salva " + file("s")).done, "wrote " + file("s.model"));
+  EXPECT_EQ(folder.read("s.model"), "create a cube 1\nview grid on\nselect a\n");
+  EXPECT_TRUE(interpreter.unsaved().empty());
+  EXPECT_EQ(interpreter.script().size(), 3u);
+  expect_refused("script sav x", "did you mean save?");
+  expect_refused("script save", "it is script save FILE");
+  expect_refused("script save glass.CSG", "the name of another kind of file; this is a .model");
+  expect_refused("script save " + file(""), "is a folder");
+  expect_refused("script save " + file("none/x"), "none");
+  // What is being read is not overwritten, and what has been read by this command alone.
+  interpreter.protect(folder / "s.model");
+  expect_refused("script save " + file("s"), "is not overwritten");
+  interpreter.release(folder / "s.model");
+  EXPECT_THAT(say("script save " + file("s")).done, StartsWith("wrote "));
+  expect_refused("save a " + file("s.model"), "is not overwritten");
+  say("save a " + file("a.model"));
+  expect_refused("script save " + file("a"), "is what a command of the script writes: save a");
+}
+
+TEST_F(Session, APointInAScriptsNameMakesNoSuffix) {
+  say("create a cube 1");
+  EXPECT_EQ(say("script save " + file("v1.2")).done, "wrote " + file("v1.2.model"));
+  say("delete a");
+  say("script load " + file("v1.2"));
+  EXPECT_TRUE(has("a"));
+}
+
+TEST_F(Session, AScriptIsDoneWhollyOrNotAtAll) {
+  folder.write("part.model",
+               "create part cube 1\nlist\ncamera turn 0.1 0\ncamera zoom 1\nquit\nnonsense\n");
+  say_all({"create a sphere 1", "create gone sphere 1", "undo"});
+  const modeler::Reply reply = say("script load " + file("part"));
+  EXPECT_EQ(reply.text, "\"a\": sphere\n\"part\": cube\n");
+  EXPECT_FALSE(reply.quit);
+  EXPECT_THAT(interpreter.script(),
+              ElementsAre("create a sphere 1", "create part cube 1", StartsWith("camera window ")));
+  say("undo camera");  // one, as from a hand
+  EXPECT_FALSE(interpreter.looks().camera);
+  say("undo");
+  EXPECT_FALSE(has("part"));
+  folder.write("bad.model",
+               "create b cube 1\nlight set\nselect b\nview grid on\ncamera zoom 1\ndelete c\n");
+  expect_refused("script load " + file("bad.model"), "bad.model:6: there is no solid \"c\"");
+  say("redo");  // what could be redone still can
+  EXPECT_TRUE(has("part"));
+  expect_refused("script load " + file("none"), "none.model: cannot be read");
+  folder.write("self.model", "script load " + file("self") + "\n");
+  expect_refused("script load " + file("self"), "self.model:1: \"");
+  folder.write("over.model", "script save " + file("over") + "\n");
+  expect_refused("script load " + file("over"), "is not overwritten");
+  say("script save " + file("part"));  // which has been read
+}
+
+TEST_F(Session, TheListOfCommandsIsNoWiderThanAPage) {
+  std::istringstream lines(say("help").text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 102u) << line;
+}
+
+TEST_F(Session, ACommandIsOneLine) { expect_refused("create a\ncube 1", "a command is one line"); }
+
+}  // namespace
+}  // namespace sir::test
