@@ -16,9 +16,11 @@ bool Findings::take(std::shared_ptr<const T>& now, Latest<T>& latest, const Ingr
                     bool wanted, typename Latest<T>::Make make) {
   std::shared_ptr<const T> found;
   if (wanted) {
+    // Asked first: it may become so at any time, when what came before is already in hand.
+    const bool current = latest.is_current(of);
     found = latest.get(worker_, of, std::move(make));
     // What is of another picture would be laid over the wrong one.
-    if (!latest.is_current(of)) {
+    if (!current) {
       found = nullptr;
       waiting_ |= latest.error().empty();
     }
