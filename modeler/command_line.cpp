@@ -71,19 +71,6 @@ std::string as_word(std::string_view text) {
   return word + "\"";
 }
 
-std::string visible(std::string_view text) {
-  std::string shown;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto code = static_cast<unsigned char>(text[i]);
-    // U+0080 to U+009F, two bytes long, are control characters too.
-    const bool high =
-        code == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
-    shown += code < 0x20 || code == 0x7F || high ? '?' : text[i];
-    if (high) ++i;
-  }
-  return shown;
-}
-
 UnfinishedWord unfinished_word(std::string_view line) {
   UnfinishedWord last;
   Reader reader{line, 0, 0, {}, false};

@@ -18,9 +18,6 @@ std::string_view without_comment(std::string_view line);
 /// A word as it must be written to be read as one: as it is, or in quotes.
 std::string as_word(std::string_view text);
 
-/// A text as a terminal may show it: control characters are question marks.
-std::string visible(std::string_view text);
-
 /// The last word of a line that is still being written.
 struct UnfinishedWord {
   std::size_t begin = 0;            ///< where it begins in the line, its quote included

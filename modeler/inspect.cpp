@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "modeler/coincidence.h"
-#include "modeler/command_line.h"
 #include "modeler/operations.h"
 #include "modeler/sampling.h"
 #include "modeler/step.h"

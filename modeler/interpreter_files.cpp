@@ -20,8 +20,6 @@ namespace {
 
 using Path = std::filesystem::path;
 
-std::string suffix_of(const Path& file) { return fold_keyword(file.extension().string()); }
-
 }  // namespace
 
 void Interpreter::protect(const Path& file) {
@@ -40,15 +38,9 @@ Reply Interpreter::save(Arguments& words) {
   const Path given = words.next();
   words.end();
   const EntryPtr solid = require(solids_, name);
-  require_file_name(given);
   const Node& tree = *solid->solid.tree();
   const std::string suffix = suffix_of(given);
-  for (const char* other : {".cam", ".luz", ".sup", ".lut", ".r", ".g", ".b", ".png"})
-    if (suffix == other)
-      throw CommandError(in_quotes(given.string()) +
-                         " is the name of another kind of file; a solid is a .CSG or a .model");
-  const bool as_given = suffix == ".csg" || suffix == ".model" || is_device(given);
-  const Path file = as_given ? given : with_suffix(given, "CSG");
+  const Path file = suffix == ".model" ? given : file_to_write(given, "CSG");
   require_writable(file);
   Reply reply;
   if (suffix == ".model") {

@@ -6,6 +6,7 @@
 #include "modeler/arguments.h"
 #include "modeler/command_error.h"
 #include "modeler/interpreter.h"
+#include "modeler/look_files.h"
 #include "modeler/operations.h"
 #include "modeler/sampling.h"
 #include "modeler/silhouette.h"
@@ -47,7 +48,7 @@ TextFile scene_file(const std::string& base, std::string_view suffix) {
 
 // BASE of BASE.CAM and the like.
 std::string base_of(std::string name) {
-  const std::string suffix = fold_keyword(Path(name).extension().string());
+  const std::string suffix = suffix_of(name);
   for (const char* known : {".cam", ".csg", ".luz", ".sup"})
     if (suffix == known) return Path(name).replace_extension().string();
   return name;
@@ -102,8 +103,10 @@ Reply Interpreter::show(Arguments& words) {
   const Node& tree = *solid->solid.tree();
   const bool to_file = !wanted.file.empty();
   if (to_file) {
-    if (Path(wanted.file).extension().empty()) wanted.file += ".png";
-    if (fold_keyword(Path(wanted.file).extension().string()) != ".png")
+    require_file_name(wanted.file);
+    const bool device = is_device(wanted.file);
+    if (!device && suffix_of(wanted.file).empty()) wanted.file += ".png";
+    if (!device && suffix_of(wanted.file) != ".png")
       throw CommandError(in_quotes(wanted.file) + " is no name of a picture: FILE.png");
     require_writable(wanted.file);
   }

@@ -10,10 +10,9 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// With its dot, in lower case.
-std::string suffix_of(const Path& file) { return fold_keyword(file.extension().string()); }
-
 }  // namespace
+
+std::string suffix_of(const Path& file) { return fold_keyword(file.extension().string()); }
 
 bool is_device(const Path& file) {
   std::error_code ignored;

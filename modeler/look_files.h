@@ -2,11 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "tracer/text_file.h"
 
 namespace sir::modeler {
+
+/// ".csg" of BASE.CSG: the suffix as a keyword, with its dot.
+std::string suffix_of(const std::filesystem::path& file);
 
 /// Whether this is no file but a pipe or a device, such as /dev/stdout, which has its name already.
 bool is_device(const std::filesystem::path& file);

@@ -160,6 +160,7 @@ TEST_F(ModelCli, AFullDiskAndAClosedPipeAreFailures) {
   start.out_file = "/dev/full";
   expect_failure(sir({"model"}, start), "standard output: cannot be written");
   expect_failure(sir_reading("create a cube 1\nsave a /dev/full\n", {"model"}), "/dev/full");
+  expect_failure(sir_reading("create a cube 1\nshow a /dev/full\n", {"model"}), "/dev/full");
 }
 
 // No suffix is put behind the name of a device or a pipe, whoever may make files beside it.

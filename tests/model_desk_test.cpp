@@ -82,6 +82,24 @@ TEST_F(ModelDeskTest, ADragIsTheLastOfItsCommands) {
   EXPECT_EQ(desk.script().size(), 5u);
 }
 
+TEST_F(ModelDeskTest, ACommandInBetweenCutsADragOff) {
+  do_all({"create a sphere 1"});
+  for (const char* other : {"undo", "redo"}) {
+    EXPECT_TRUE(desk.drag("translate a 1 0 0"));
+    EXPECT_TRUE(desk.execute("undo"));
+    if (std::string(other) == "redo") {
+      EXPECT_TRUE(desk.execute("redo"));
+    }
+    const auto script = desk.script();
+    EXPECT_TRUE(desk.drag("translate a 2 0 0"));  // the hand goes on, with all that it did
+    EXPECT_EQ(desk.script(), script);
+    desk.end_drag();
+    EXPECT_TRUE(desk.drag("translate a 3 0 0"));
+    EXPECT_EQ(desk.script().size(), script.size() + 1);
+    desk.end_drag();
+  }
+}
+
 TEST_F(ModelDeskTest, ADragOfTheCameraIsOneForItsUndo) {
   do_all({"create a sphere 1", "translate a 1 0 0"});
   const std::string first = camera_text(desk.camera());

@@ -16,8 +16,6 @@ using testing::StartsWith;
 
 class ModelWindowEditTest : public ModelWindowTest {
  protected:
-  void press_enter() { key(SDLK_RETURN, SDL_SCANCODE_RETURN); }
-
   // Where a point of SC_CENA is seen, in the window.
   Spot at(const glm::dvec2& in_picture) {
     const Spot corner = spot("picture");

@@ -10,7 +10,6 @@ using testing::ElementsAre;
 
 class ModelWindowFieldsTest : public ModelWindowTest {
  protected:
-  void press_enter() { key(SDLK_RETURN, SDL_SCANCODE_RETURN); }
   void press_tab() { key(SDLK_TAB, SDL_SCANCODE_TAB); }
   void press_escape() { key(SDLK_ESCAPE, SDL_SCANCODE_ESCAPE); }
 

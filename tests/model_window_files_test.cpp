@@ -14,8 +14,6 @@ using testing::StartsWith;
 
 class ModelWindowFilesTest : public ModelWindowTest {
  protected:
-  void press_enter() { key(SDLK_RETURN, SDL_SCANCODE_RETURN); }
-
   void choose(const std::string& item) {
     click("File");
     click(item);

@@ -73,6 +73,8 @@ class ModelWindowTest : public testing::Test {
     window().settle();
   }
 
+  void press_enter() { key(SDLK_RETURN, SDL_SCANCODE_RETURN); }
+
   void key(SDL_Keycode sym, SDL_Scancode scancode, Uint16 modifiers = KMOD_NONE) {
     SDL_Event event{};
     for (const std::uint32_t type : {SDL_KEYDOWN, SDL_KEYUP}) {

@@ -125,6 +125,19 @@ std::string fold_keyword(std::string_view text) {
   return std::string(reinterpret_cast<const char*>(folded), static_cast<std::size_t>(length));
 }
 
+std::string visible(std::string_view text) {
+  std::string shown;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto code = static_cast<unsigned char>(text[i]);
+    // U+0080 to U+009F, two bytes long, are control characters too.
+    const bool high_control =
+        code == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    shown += code < 0x20 || code == 0x7F || high_control ? '?' : text[i];
+    if (high_control) ++i;
+  }
+  return shown;
+}
+
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kShown = 40;
   std::size_t end = text.size();
@@ -133,16 +146,7 @@ std::string in_quotes(std::string_view text) {
     end = kShown;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
   }
-  std::string shown = "\"";
-  for (std::size_t i = 0; i < end; ++i) {
-    const auto code = static_cast<unsigned char>(text[i]);
-    // U+0080 to U+009F, two bytes long, are control characters too.
-    const bool high_control =
-        code == 0xC2 && i + 1 < end && static_cast<unsigned char>(text[i + 1]) < 0xA0;
-    shown += code < 0x20 || code == 0x7F || high_control ? '?' : text[i];
-    if (high_control) ++i;
-  }
-  return shown + (end < text.size() ? "...\"" : "\"");
+  return "\"" + visible(text.substr(0, end)) + (end < text.size() ? "...\"" : "\"");
 }
 
 bool parse_number(std::string_view token, double& value) {

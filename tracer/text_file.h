@@ -24,6 +24,9 @@ bool parse_number(std::string_view token, double& value);
 /// One non-negative integer up to 2^63-1, the whole of `token`.
 bool parse_count(std::string_view token, std::int64_t& value);
 
+/// A text as a terminal may show it: control characters are question marks.
+std::string visible(std::string_view text);
+
 /// `text` in quotation marks, as an error message shows it: what would disturb
 /// a terminal as "?", and no more than the first 40 bytes.
 std::string in_quotes(std::string_view text);

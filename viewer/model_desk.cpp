@@ -94,13 +94,16 @@ void ModelDesk::open(const Path& base) {
 }
 
 bool ModelDesk::execute(const std::string& line) {
+  const bool in_hand = dragging_ || cut_off_;
   end_drag();
+  cut_off_ = in_hand;
   warned_ = false;
   interpreter_.watch(true);
   return attempt([&] { say(interpreter_.execute(line)); });
 }
 
 bool ModelDesk::drag(const std::string& line) {
+  if (cut_off_) return true;
   const bool again = std::exchange(dragging_, true) && drag_done_;
   if (!again) drag_done_ = false;
   warned_ = false;
@@ -120,6 +123,7 @@ bool ModelDesk::drag(const std::string& line) {
 }
 
 void ModelDesk::end_drag() {
+  cut_off_ = false;
   dragging_ = false;
   interpreter_.let_go_of_camera();
 }

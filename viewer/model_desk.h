@@ -48,7 +48,9 @@ class ModelDesk {
 
   /// The same for a change that a hand is still making: the command takes the place of the last one
   /// that was given so, until end_drag(). An empty one: no change. Those of the camera come one
-  /// after the other, and `undo camera` takes them back as one.
+  /// after the other, and `undo camera` takes them back as one. Where another command came in
+  /// between, as an undo by a key, what the hand goes on to do is passed over: its change began
+  /// with what is no longer there.
   bool drag(const std::string& line);
   void end_drag();
 
@@ -118,6 +120,7 @@ class ModelDesk {
   std::string message_;
   bool refused_ = false, closed_ = false, warned_ = false;
   bool dragging_ = false;
+  bool cut_off_ = false;                     // by another command, until the hand lets go
   bool drag_done_ = false;                   // the last command of the drag can be undone
   mutable std::vector<std::string> script_;  // once it was asked for
   mutable bool script_known_ = false;
