@@ -193,6 +193,32 @@ TEST_F(LatestTest, WhatWasStoppedIsShownButNotCurrent) {
   EXPECT_EQ(*latest.newest(), 2);
 }
 
+// What was there before a stopped one is gone: it must not pass for current.
+TEST_F(LatestTest, WhatWasStoppedTakesThePlaceOfWhatWasCurrent) {
+  const Ingredients first{ingredient()}, second{ingredient()}, third{ingredient()};
+  latest.get(worker, first, give(1));
+  ASSERT_TRUE(eventually([&] { return latest.is_current(first); }));
+  std::latch begun(1);
+  latest.get(worker, second, [&](const std::stop_token& stop) {
+    begun.count_down();
+    while (!stop.stop_requested()) std::this_thread::yield();
+    return std::make_shared<const int>(2);
+  });
+  begun.wait();
+  EXPECT_EQ(*latest.get(worker, first, give(99)), 1);  // back again while it runs
+  Hold hold;
+  latest.get(worker, third, [&](const std::stop_token& stop) {
+    hold.work()(stop);
+    return std::make_shared<const int>(3);
+  });
+  ASSERT_TRUE(eventually([&] { return *latest.newest() == 2; }));
+  EXPECT_FALSE(latest.is_current(first));
+  hold.let_go = true;
+  latest.get(worker, first, give(4));
+  ASSERT_TRUE(eventually([&] { return latest.is_current(first); }));
+  EXPECT_EQ(*latest.newest(), 4);
+}
+
 TEST_F(LatestTest, ADroppedRequestIsMadeAnew) {
   Hold hold;
   worker.ask(hold.work());

@@ -77,7 +77,10 @@ class Latest {
         reason = failure.what();
       }
       const std::scoped_lock lock(mutex);
-      if (made) result = std::move(made);
+      if (made) {
+        result = std::move(made);
+        of.reset();  // what that was made of is no longer here
+      }
       if (stop.stop_requested()) return;  // it may be less than what was asked for
       of = ingredients;
       error = std::move(reason);
