@@ -21,7 +21,7 @@ namespace {
 
 using sir::modeler::Interpreter;
 
-constexpr int kRuns = 3;
+const int kRuns = sir::bench::rounds(3);
 constexpr int kPrimitives = 1000;  // of the composite: 1,999 nodes
 
 // A composite c, its primitives in rows and its tree as flat as can be.

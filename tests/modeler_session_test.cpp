@@ -3,6 +3,7 @@
 #include <random>
 #include <sstream>
 
+#include "tests/cases.h"
 #include "tests/modeler_fixture.h"
 #include "tracer/error.h"
 
@@ -127,7 +128,7 @@ class Player {
 
 TEST_F(Session, TheScriptMakesAllOfItAgain) {
   std::size_t written_files = 0;
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(30); ++seed) {
     Player player(seed, folder.path().string());
     interpreter = modeler::Interpreter(outlet());
     pictures.clear();
