@@ -119,23 +119,23 @@ TEST_F(TileFileTest, TornAnywhereKeepsTheWholeTilesBefore) {
 TEST_F(TileFileTest, NothingIsBelievedFromADamagedTileOn) {
   const auto ends = write_record();
   const std::string whole = folder.read("s.tiles");
-  for (std::size_t at = 0; at < whole.size(); ++at)
-    for (const int bit : {0, 3, 7}) {
-      SCOPED_TRACE(testing::Message() << "bit " << bit << " of byte " << at);
-      std::string damaged = whole;
-      damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
-      folder.write("s.tiles", damaged);
-      if (at < 10) {  // no magic: the file is somebody else's
-        EXPECT_THROW(TileFile::open(path, false), FileError);
-        EXPECT_EQ(folder.read("s.tiles"), damaged);
-      } else if (at < ends[0]) {
-        EXPECT_EQ(TileFile::open(path, false)->settings(), std::nullopt);
-      } else {
-        std::size_t count = 0;
-        while (ends[count + 1] <= at) ++count;
-        EXPECT_EQ(expect_tiles(count), whole.size() - ends[count]);
-      }
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    const std::size_t bit = at % 8;
+    SCOPED_TRACE(testing::Message() << "bit " << bit << " of byte " << at);
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1u << bit));
+    folder.write("s.tiles", damaged);
+    if (at < 10) {  // no magic: the file is somebody else's
+      EXPECT_THROW(TileFile::open(path, false), FileError);
+      EXPECT_EQ(folder.read("s.tiles"), damaged);
+    } else if (at < ends[0]) {
+      EXPECT_EQ(TileFile::open(path, false)->settings(), std::nullopt);
+    } else {
+      std::size_t count = 0;
+      while (ends[count + 1] <= at) ++count;
+      EXPECT_EQ(expect_tiles(count), whole.size() - ends[count]);
     }
+  }
 }
 
 TEST_F(TileFileTest, TilesOfAnotherRecordAreNotBelieved) {
