@@ -211,15 +211,15 @@ TEST_F(Resume, AFullDiskIsToldOnceAndTheRenderGoesOn) {
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
   rlimit small = before;
-  small.rlim_cur = 15'000;  // a plane has 12,288 bytes, the record of all tiles over 30,000
+  small.rlim_cur = 3'500;  // a plane has 3,072 bytes, the first tile more
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  const Ended ended = sir({"render", "s", "--size", "128x96", "--no-png", "--keep-after", "0"});
+  const Ended ended = sir({"render", "s", "--size", "64x48", "--no-png", "--keep-after", "0"});
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   const std::string warning = "s.tiles: cannot be written: File too large; the render goes on";
   EXPECT_THAT(ended.err, HasSubstr(warning));
   EXPECT_EQ(ended.err.find(warning), ended.err.rfind(warning));
-  EXPECT_EQ(folder.read("s.R").size(), 12'288u);
+  EXPECT_EQ(folder.read("s.R").size(), 3'072u);
 }
 
 // The image is traced, and there is no room for it: nothing that was traced is lost.
