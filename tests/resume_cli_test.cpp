@@ -184,6 +184,21 @@ TEST_F(Resume, ARecordThatIsNoneIsLeftAlone) {
   EXPECT_EQ(folder.read("s.tiles"), "my tiles");
 }
 
+TEST_F(Resume, ProgressTellsWhatWasTakenOver) {
+  if (!test::terminals_exist()) GTEST_SKIP() << "no terminal";
+  interrupted_in_time([&] {
+    leave_record(kLong);
+    Start start;
+    start.folder = folder.path();
+    start.err_is_terminal = true;
+    Program program(
+        SIR_PROGRAM,
+        with({"render", SIR_IMAGES "/calice", "--out", "out", "--resume", "--threads", "1"}, kLong),
+        start);
+    return program.wait_for(" % taken over), ");
+  });
+}
+
 // What a hostile record announces is not believed, and takes no memory.
 TEST_F(Resume, AHostileRecordTakesNoMemory) {
   leave_record(kLong);
