@@ -55,6 +55,10 @@ void add_render(CLI::App& app, Action& action) {
   sub->add_flag_callback(
       "--no-png", [command] { command->png = false; }, "write the planes only");
   sub->add_flag("--stats", command->stats, "print counts and times as JSON");
+  sub->add_flag("--resume", command->resume,
+                "continue an interrupted render from its finished tiles, to the same bytes");
+  add_number(sub, "--keep-after", command->keep_after, 0, 1e9,
+             "keep finished tiles in BASE.tiles after so many seconds of rendering (5)");
   sub->add_option("--hesitation", command->hesitation,
                   "also write the image with the pixels marked whose hits depend on float against "
                   "double (red) or on the rounding of t (blue; both: yellow), judged by the ray "
