@@ -1,6 +1,7 @@
 // The only user of libedit.
 #include <histedit.h>
 #include <langinfo.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "cli/input_wait.h"
 #include "cli/interrupt.h"
 #include "cli/line_reader.h"
+#include "tracer/atomic_file.h"
 #include "viewer/terminal.h"
 
 namespace sir::cli {
@@ -51,9 +53,7 @@ class EditingReader : public LineReader {
     el_set(editor_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
   }
   ~EditingReader() override {
-    HistEvent event;
-    if (history_ != nullptr && !options_.history.empty())
-      ::history(history_, &event, H_SAVE, options_.history.c_str());
+    if (history_ != nullptr && !options_.history.empty()) save_history();
     if (editor_ != nullptr) el_end(editor_);
     if (history_ != nullptr) history_end(history_);
   }
@@ -73,6 +73,26 @@ class EditingReader : public LineReader {
   }
 
  private:
+  // The session is over and did what it should, whatever becomes of its history.
+  void save_history() noexcept {
+    char* text = nullptr;
+    std::size_t size = 0;
+    std::FILE* const memory = ::open_memstream(&text, &size);
+    if (memory == nullptr) return;
+    HistEvent event;
+    const bool whole = ::history(history_, &event, H_SAVE_FP, memory) >= 0;
+    if (std::fclose(memory) == 0 && whole) {
+      try {
+        AtomicFile file(options_.history, S_IRUSR | S_IWUSR);  // what one types is one's own
+        file.write(std::string_view(text, size));
+        file.commit();
+      } catch (const std::exception& failure) {
+        std::fprintf(stderr, "sir: %s\n", failure.what());
+      }
+    }
+    std::free(text);
+  }
+
   static EditingReader& of(EditLine* editor) {
     void* self = nullptr;
     el_get(editor, EL_CLIENTDATA, &self);
