@@ -15,8 +15,8 @@ namespace sir::cli {
 void check_trace(const ShowOptions& options);
 
 /// Writes the trace where one was asked for, as the last of `files`, and commits them.
-void save_trace(AtomicFiles& files, const ShowOptions& options, const eltek::TraceRecorder& recorder,
-                const Session& session);
+void save_trace(AtomicFiles& files, const ShowOptions& options,
+                const eltek::TraceRecorder& recorder, const Session& session);
 
 /// Prints what the display program sends for an image, counted where it is sent, and how long a
 /// bus of the rate that was asked for takes; nothing where none was.
