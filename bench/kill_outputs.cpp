@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-#include "bench/kill_scenes.h"
+#include "bench/kill_cases.h"
 
 namespace {
 

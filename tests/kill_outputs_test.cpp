@@ -1,9 +1,7 @@
 // kill -9 at moments spread over the run of each command: old or new, never a part.
 #include <gtest/gtest.h>
 
-#include <chrono>
-
-#include "bench/kill_scenes.h"
+#include "bench/kill_cases.h"
 #include "tests/temp_folder.h"
 
 namespace sir::bench {
@@ -23,6 +21,19 @@ TEST(KillOutputs, LeaveTheOldOrTheNewAndWhatIsLeftIsClearedUp) {
       EXPECT_EQ(tally.mixed, 0) << what.name;
     }
   }
+}
+
+// The referee itself: a program that writes in place is found out.
+TEST(KillOutputs, APartIsSeen) {
+  constexpr int kKills = 12;
+  const test::TempFolder folder;
+  const KillCase in_place{"in place",
+                          {"-c", "printf old > x"},
+                          {"-c", "printf half > x; sleep .3; printf whole > x"},
+                          {"x"}};
+  const KillTally tally = KillTrial("/bin/sh", folder.path(), in_place).run(kKills, 1);
+  EXPECT_GT(tally.with_parts, 0);
+  EXPECT_EQ(tally.old + tally.all_new + tally.mixed + tally.with_parts, kKills);
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ class WhileWriting : public NothingLostBySignals {
   WhileWriting() {
     for (const char* plane : {"s.R", "s.G", "s.B"}) folder.write(std::string("o/") + plane, "old");
     EXPECT_EQ(::mkfifo(png.c_str(), 0600), 0);
-    reader = ::open(png.c_str(), O_RDONLY | O_NONBLOCK);
+    reader = ::open(png.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     constexpr int kPage = 4096;  // the least that a pipe holds, and less than the PNG
     EXPECT_GE(::fcntl(reader, F_SETPIPE_SZ, kPage), kPage);
   }
@@ -101,7 +101,7 @@ class WhileWriting : public NothingLostBySignals {
       EXPECT_EQ(folder.read(std::string("o/") + plane), "old") << plane;
   }
 
-  const Names words{"render", "s", "--size", "320x240", "--out", "o", "-q"};
+  const Names words{"render", "s", "--size", "1600x1200", "--out", "o", "-q"};
   const fs::path png = folder / "o/s.png";
   int reader = -1;
 };
@@ -137,7 +137,7 @@ TEST_F(WhileWriting, AKillLeavesTheOldPlanesAndTheNextRunClearsUp) {
   EXPECT_EQ(sir(words).exit_code, 0);
   EXPECT_EQ(temporaries(), 0u);
   for (const char* plane : {"s.R", "s.G", "s.B"})
-    EXPECT_EQ(folder.read(std::string("o/") + plane).size(), 320u * 240u) << plane;
+    EXPECT_EQ(folder.read(std::string("o/") + plane).size(), 1600u * 1200u) << plane;
 }
 
 TEST_F(WhileWriting, AReaderThatLeavesIsReported) {

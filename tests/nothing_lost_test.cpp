@@ -124,7 +124,7 @@ TEST_F(NothingLost, APipeStaysAPipeAndGetsTheSameBytes) {
       const fs::path pipe = folder / ("o/" + piped);
       fs::remove(pipe);
       ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-      const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+      const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
       const Ended ended = sir(command.words);
       EXPECT_EQ(ended.exit_code, 0) << command.name << ended.err;
       std::string got(1 << 16, ' ');  // as much as a pipe holds
@@ -179,15 +179,20 @@ TEST_F(NothingLost, WhereStandardOutputCannotBeWritten) {
 
 TEST_F(NothingLost, NotesDoNotGoIntoAnOutputWhereStandardErrorIsClosed) {
   for (const WritingCommand& command : writing_commands()) {
-    if (!command.same_bytes) continue;
     const auto made = made_by(command);
     make_old(command);
     Start start;
     start.folder = folder.path();
-    Names shell{"-c", "exec \"$0\" -v \"$@\" <&- 2>&-", SIR_PROGRAM};
+    // Without PATH `cost` finds no gnuplot, and says so between its two files.
+    Names shell{"-c", "PATH=; exec \"$0\" -v \"$@\" 2>&-", SIR_PROGRAM};
     shell.insert(shell.end(), command.words.begin(), command.words.end());
     EXPECT_EQ(Program("/bin/sh", shell, start).finish().exit_code, 0) << command.name;
-    EXPECT_EQ(found(command), made) << command.name;
+    const auto now = found(command);
+    if (command.same_bytes) {
+      EXPECT_EQ(now, made) << command.name;
+    }
+    for (const auto& [name, bytes] : now)
+      EXPECT_EQ(bytes.substr(0, 4), made.at(name).substr(0, 4)) << command.name << ": " << name;
   }
 }
 

@@ -43,7 +43,11 @@ Elsewhere in_child(const std::function<bool()>& prepare, const std::function<voi
   if (child < 0) return {false, "no process", false};
   if (child == 0) {
     if (!prepare()) ::_exit(kImpossible);
-    work();
+    try {
+      work();
+    } catch (const std::exception& failure) {
+      ADD_FAILURE() << failure.what();
+    }
     std::fflush(nullptr);
     ::_exit(testing::Test::HasFailure() ? kFailed : kPassed);
   }

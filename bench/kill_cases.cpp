@@ -1,4 +1,4 @@
-#include "bench/kill_scenes.h"
+#include "bench/kill_cases.h"
 
 #include <fstream>
 #include <stdexcept>
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 // A chequered floor below a ball: many colours, few rays.
-void write_scene_files(const fs::path& base, const char* blue) {
+void write_scene_files(const fs::path& base, const char* level) {
   const auto put = [&](const char* suffix, const std::string& text) {
     std::ofstream(base.string() + suffix) << text << std::flush;
   };
@@ -21,9 +21,9 @@ void write_scene_files(const fs::path& base, const char* blue) {
       "1\nfloor\nPRIMITIVO\nCUBO\n2\n8 0 0 0\n0 1 0 0\n0 0 8 0\n-4 -2 -4 1\n\n"
       "2\nball\nPRIMITIVO\nESFERA\n1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
   put(".CAM", "4 3\n0 0 0\n-1 -1 -1\n4\n0 1 0\n");
-  put(".LUZ", std::string("0 0 ") + blue + "\n.1\n1\n5 6 7 1\n");
-  put(".SUP", std::string("2\n\n1\nball\nLISA\n.1 .1 .3 .3 .1 ") + blue +
-                  " .2 20 0 0\n\n2\nfloor\nXADREZ\n.1 .1 .3 .1 .7 " + blue +
+  put(".LUZ", std::string("0 0 ") + level + "\n" + level + "\n1\n5 6 7 1\n");
+  put(".SUP", std::string("2\n\n1\nball\nLISA\n.1 .1 .3 .3 .1 ") + level +
+                  " .2 20 0 0\n\n2\nfloor\nXADREZ\n.1 .1 .3 .1 .7 " + level +
                   " .2 20 0 0\n40 40\n.3 .1 .1 .9 .4 .1 0 1 0 0\n");
 }
 
