@@ -50,7 +50,7 @@ void install_signal_handlers() {
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   struct sigaction action {};
   action.sa_handler = on_signal;
-  sigemptyset(&action.sa_mask);
+  action.sa_mask = ours;  // one at a time: the second must see that there was a first
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   struct sigaction inherited {};
