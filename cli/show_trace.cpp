@@ -30,8 +30,8 @@ void check_trace(const ShowOptions& options) {
   require_writable(*options.trace);  // a session would be lost
 }
 
-void save_trace(AtomicFiles& files, const ShowOptions& options, const eltek::TraceRecorder& recorder,
-                const Session& session) {
+void save_trace(AtomicFiles& files, const ShowOptions& options,
+                const eltek::TraceRecorder& recorder, const Session& session) {
   if (options.trace) eltek::write_trace(files.add(*options.trace), recorder.trace());
   files.commit();
   if (!options.trace) return;

@@ -155,10 +155,24 @@ void AtomicFile::commit() {
   sync_folder();
 }
 
+// Without looking for what is left over: large folders are searched once for an output, not twice.
 void require_writable(const std::filesystem::path& destination) {
-  if (!is_written_directly(followed(destination))) AtomicFile{destination};
-  else if (std::filesystem::is_directory(destination))
-    throw FileError(destination.string(), 0, "cannot be written: " + reason_of(EISDIR));
+  const auto path = followed(destination);
+  int code = 0;
+  if (is_written_directly(path)) {
+    code = std::filesystem::is_directory(path) ? EISDIR : 0;
+  } else {
+    const auto trial = temporary_beside(path);
+    const int descriptor = ::open(trial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (descriptor < 0) {
+      code = errno;
+    } else {
+      ::unlink(trial.c_str());
+      ::close(descriptor);
+    }
+  }
+  if (code != 0 && code != EEXIST)
+    throw FileError(path.string(), 0, "cannot be written: " + reason_of(code));
 }
 
 void remove_temporaries() noexcept {
