@@ -1,21 +1,25 @@
 // The only user of libedit.
 #include <histedit.h>
 #include <langinfo.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <cwchar>
+#include <memory>
 #include <string_view>
 
 #include "cli/input_wait.h"
 #include "cli/interrupt.h"
 #include "cli/line_reader.h"
 #include "tracer/atomic_file.h"
+#include "tracer/error.h"
 #include "viewer/terminal.h"
 
 namespace sir::cli {
@@ -73,24 +77,25 @@ class EditingReader : public LineReader {
   }
 
  private:
-  // The session is over and did what it should, whatever becomes of its history.
+  // libedit writes in place, and only to a stream that has a descriptor. The session is over and
+  // did what it should, whatever becomes of its history.
   void save_history() noexcept {
-    char* text = nullptr;
-    std::size_t size = 0;
-    std::FILE* const memory = ::open_memstream(&text, &size);
-    if (memory == nullptr) return;
-    HistEvent event;
-    const bool whole = ::history(history_, &event, H_SAVE_FP, memory) >= 0;
-    if (std::fclose(memory) == 0 && whole) {
-      try {
-        AtomicFile file(options_.history, S_IRUSR | S_IWUSR);  // what one types is one's own
-        file.write(std::string_view(text, size));
-        file.commit();
-      } catch (const std::exception& failure) {
-        std::fprintf(stderr, "sir: %s\n", failure.what());
-      }
+    try {
+      const std::unique_ptr<std::FILE, int (*)(std::FILE*)> memory(
+          ::fdopen(::memfd_create("history", MFD_CLOEXEC), "w+"), &std::fclose);
+      HistEvent event;
+      if (!memory || ::history(history_, &event, H_SAVE_FP, memory.get()) < 0 ||
+          std::fflush(memory.get()) != 0)
+        throw FileError(options_.history.string(), 0, "cannot be made");
+      std::rewind(memory.get());
+      AtomicFile file(options_.history, S_IRUSR | S_IWUSR);  // what one types is one's own
+      std::array<char, 4096> chunk;
+      while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), memory.get()))
+        file.write(std::string_view(chunk.data(), got));
+      file.commit();
+    } catch (const std::exception& failure) {
+      std::fprintf(stderr, "sir: %s\n", failure.what());
     }
-    std::free(text);
   }
 
   static EditingReader& of(EditLine* editor) {
