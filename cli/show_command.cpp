@@ -23,8 +23,10 @@
 namespace sir::cli {
 namespace {
 
-void write_png(AtomicFile& file, const eltek::IndexedScreen& screen,
-               const std::optional<eltek::Crt>& crt) {
+void write_png(AtomicFiles& files, const std::filesystem::path& path,
+               const eltek::IndexedScreen& screen, const std::optional<eltek::Crt>& crt) {
+  require_picture_name(path);
+  AtomicFile& file = files.add(path);
   if (crt) viewer::write_rgb_png(file, to_planes(crt->show(screen)));
   else viewer::write_indexed_png(file, screen);
 }
@@ -33,10 +35,7 @@ void write_png(AtomicFile& file, const eltek::IndexedScreen& screen,
 int show_without_window(const ShowOptions& options, const Session& session) {
   const TerminalForm form = settle(options.terminal.value_or(TerminalForm::sixel));
   if (interrupted()) return kInterrupted;
-  if (options.png) {
-    require_picture_name(*options.png);
-    require_writable(*options.png);
-  }
+  if (options.png) require_writable(*options.png);
   std::optional<eltek::Crt> crt;
   if (options.crt) note(session, monitor_text(crt.emplace(*options.crt)));
   eltek::TraceRecorder recorder;
@@ -48,7 +47,7 @@ int show_without_window(const ShowOptions& options, const Session& session) {
     const ShownImage image = prepare(input, options, session);
     station.show(input.string(), image.picture.planes.size, image.rendition);
     report_transfer(image, options);
-    if (options.png) write_png(together.add(*options.png), station.capture(), crt);
+    if (options.png) write_png(together, *options.png, station.capture(), crt);
     if (options.terminal) print_screen(station.capture(), crt, form);
   }
   save_trace(together, options, recorder, session);
