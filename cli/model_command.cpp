@@ -108,7 +108,9 @@ int run_window(const ModelOptions&) {
 
 modeler::Outlet make_outlet() {
   modeler::Outlet outlet;
-  outlet.write_picture = viewer::write_rgb_png;
+  outlet.write_picture = [](const Path& file, const Planes& picture) {
+    viewer::write_rgb_png(file, picture);
+  };
   outlet.draw = draw;
   outlet.columns = [] { return viewer::terminal_columns(STDOUT_FILENO).value_or(80); };
   outlet.stop = interruption();

@@ -9,7 +9,7 @@
 #include "cli/output_path.h"
 #include "cli/progress.h"
 #include "cli/render_keeping.h"
-#include "tracer/atomic_file.h"
+#include "tracer/atomic_files.h"
 #include "tracer/error.h"
 #include "tracer/sample_progressive.h"
 #include "tracer/scene_file.h"
@@ -109,6 +109,13 @@ void refuse_inputs(const std::filesystem::path& base, const RenderCommand& comma
     }
 }
 
+// Hours of rendering must not end where there is no permission to write.
+void require_outputs(const std::filesystem::path& base, const RenderCommand& command) {
+  for (int channel = 0; channel < 3; ++channel) require_writable(plane_path(base, channel));
+  if (command.png) require_writable(with_suffix(base, "png"));
+  if (command.hesitation) require_writable(*command.hesitation);
+}
+
 void refuse_outputs(const std::filesystem::path& path, const std::filesystem::path& base) {
   require_picture_name(path);
   for (const char* output : {"R", "G", "B", "png", "tiles"})
@@ -117,20 +124,22 @@ void refuse_outputs(const std::filesystem::path& path, const std::filesystem::pa
                       "is a file of the image itself; the marked image needs another name");
 }
 
-// Their names.
+// All of them together; their names.
 std::string write_outputs(const RenderCommand& command, const std::filesystem::path& base,
                           const Planes& planes, const HesitationMap& hesitation) {
-  write_planes(base, planes);
+  AtomicFiles together;
+  write_planes(together, base, planes);
   std::string written = fmt::format("{0}.R {0}.G {0}.B", base.string());
   if (command.png) {
     const auto png = with_suffix(base, "png");
-    if (!command.progressive) viewer::write_rgb_png(png, planes);  // else it is there
+    if (!command.progressive) viewer::write_rgb_png(together.add(png), planes);  // else it is there
     written += " " + png.string();
   }
   if (command.hesitation) {
-    viewer::write_rgb_png(*command.hesitation, marked(planes, hesitation));
+    viewer::write_rgb_png(together.add(*command.hesitation), marked(planes, hesitation));
     written += " " + command.hesitation->string();
   }
+  together.commit();
   return written;
 }
 
@@ -141,6 +150,7 @@ int run_render(const RenderCommand& command, const Session& session) {
   const auto base = output_base(command.base, command.out);
   refuse_inputs(base, command);
   if (command.hesitation) refuse_outputs(*command.hesitation, base);
+  require_outputs(base, command);
   Progress progress(session, command.base.filename().string());
   if (command.options.antialias.mode != Antialias::none && !command.options.antialiased())
     note(session, "not antialiased: --effects does not allow it");

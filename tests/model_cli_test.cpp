@@ -265,6 +265,25 @@ TEST_F(ModelPrompt, CompletesAndRemembers) {
   terminal.type("quit\r");
   EXPECT_EQ(terminal.finish(), 0);
 }
+
+TEST_F(ModelPrompt, ItsHistoryIsReplacedAsAWholeAndIsItsOwnersAlone) {
+  std::string first;
+  for (const char* line : {"list\r", "help\r"}) {
+    AtTerminal terminal({"model"}, folder.path(), 80);
+    ASSERT_TRUE(terminal.wait_for("sir> "));
+    wait_for_editor(terminal);
+    terminal.type(line);
+    terminal.type("quit\r");
+    EXPECT_EQ(terminal.finish(), 0);
+    if (!first.empty()) continue;
+    first = folder.read("state/sir/history");
+    std::filesystem::create_hard_link(folder / "state/sir/history", folder / "before");
+  }
+  EXPECT_EQ(folder.read("before"), first);
+  EXPECT_THAT(folder.read("state/sir/history"), HasSubstr("help"));
+  EXPECT_EQ(std::filesystem::status(folder / "state/sir/history").permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
 #endif
 
 TEST_F(ModelPrompt, ADumbTerminalGetsPlainLines) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "tracer/atomic_file.h"
+#include "tracer/atomic_files.h"
 #include "tracer/scene_path.h"
 
 namespace sir {
@@ -105,10 +105,12 @@ std::string surfaces_text(const std::vector<Surface>& surfaces) {
 }
 
 void write_scene(const std::filesystem::path& base, const Scene& scene) {
-  write_file_atomically(with_suffix(base, "CSG"), csg_text(scene.tree));
-  write_file_atomically(with_suffix(base, "CAM"), camera_text(scene.camera));
-  write_file_atomically(with_suffix(base, "LUZ"), lighting_text(scene.lighting));
-  write_file_atomically(with_suffix(base, "SUP"), surfaces_text(scene.surfaces));
+  AtomicFiles files;
+  files.add(with_suffix(base, "CSG")).write(csg_text(scene.tree));
+  files.add(with_suffix(base, "CAM")).write(camera_text(scene.camera));
+  files.add(with_suffix(base, "LUZ")).write(lighting_text(scene.lighting));
+  files.add(with_suffix(base, "SUP")).write(surfaces_text(scene.surfaces));
+  files.commit();
 }
 
 }  // namespace sir

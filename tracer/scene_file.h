@@ -32,7 +32,7 @@ std::string camera_text(const CameraFile& camera);
 std::string lighting_text(const Lighting& lighting);
 std::string surfaces_text(const std::vector<Surface>& surfaces);
 
-/// Writes all four beside `base`.
+/// Writes all four beside `base`, together (see atomic_files.h). Throws FileError.
 void write_scene(const std::filesystem::path& base, const Scene& scene);
 
 }  // namespace sir

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "eltek/screen.h"
+#include "tracer/atomic_file.h"
 #include "tracer/planes.h"
 
 namespace sir::viewer {
@@ -23,6 +24,10 @@ void write_rgb_png(const std::filesystem::path& path, const Planes& planes);
 /// the DAC's, 6 on the MA120.
 /// Throws as above.
 void write_indexed_png(const std::filesystem::path& path, const eltek::IndexedScreen& screen);
+
+/// The same two into a file whose commit() is the caller's.
+void write_rgb_png(AtomicFile& output, const Planes& planes);
+void write_indexed_png(AtomicFile& output, const eltek::IndexedScreen& screen);
 
 /// Reads a PNG of any kind into planes. Sample values are taken as stored:
 /// gAMA, iCCP and sRGB are ignored. Palette entries and greys become RGB;
