@@ -32,6 +32,7 @@ std::vector<Surface> read_surfaces(TextFile& file) {
   std::vector<Surface> surfaces;
   std::set<std::int64_t> numbers;
   const auto announced = file.read_count("the number of surfaces");
+  require_at_most(file, announced, "surfaces");
   for (std::int64_t i = 0; i < announced; ++i) {
     if (file.at_end())
       file.fail("the file announces " + counted(announced, "surface") + " and ends after " +

@@ -77,6 +77,7 @@ Lighting read_lighting(TextFile& file) {
   refuse_negative(file, "ambient light", lighting.ambient);
 
   const auto announced = file.read_count("the number of lights");
+  require_at_most(file, announced, "lights");
   for (std::int64_t i = 0; i < announced; ++i) {
     if (file.at_end())
       file.fail("the file announces " + counted(announced, "light") + " and ends after " +
