@@ -25,7 +25,8 @@ constexpr bool kMemoryIsOurs = true;
 class HostileFiles : public CliTest {
  protected:
   static void expect_cheap(const Ended& ended) {
-    if (kMemoryIsOurs) EXPECT_LT(ended.peak_kilobytes, 100'000) << ended.err;
+    if (!kMemoryIsOurs) return;
+    EXPECT_LT(ended.peak_kilobytes, 100'000) << ended.err;
   }
 
   void expect_refusal(const std::vector<std::string>& arguments, const std::string& reason,
@@ -124,11 +125,11 @@ TEST_F(HostileFiles, TooManyPixels) {
                  "--max-pixels N allows more");
 }
 
-// A PNG with nothing behind its header but the end; the checksum is the one given.
+// A PNG with no pixels behind its header; the checksum is the one given.
 std::string png_header(const std::string& sizes, const std::string& checksum) {
   using namespace std::string_literals;
   return "\x89PNG\r\n\x1A\n\0\0\0\x0DIHDR"s + sizes + "\x08\x02\0\0\0"s + checksum +
-         "\0\0\0\0IEND\xAE\x42\x60\x82"s;
+         "\0\0\0\0IDAT\x35\xAF\x06\x1E\0\0\0\0IEND\xAE\x42\x60\x82"s;
 }
 
 TEST_F(HostileFiles, PixelsThatAPngCannotHold) {
@@ -152,6 +153,34 @@ TEST_F(HostileFiles, ASolidDoubledSixtyTimes) {
   expect_refusal({"model", "a.model"},
                  "a.model:35: \"c16\" would have 262143 nodes; at most 250000 nodes are taken; "
                  "--max-nodes N allows more");
+}
+
+TEST_F(HostileFiles, ScriptsThatLoadTheNextOneTwice) {
+  for (int i = 0; i < 31; ++i) {
+    const std::string next = "script load n" + std::to_string(i + 1) + "\n";
+    folder.write("n" + std::to_string(i) + ".model", next + next);
+  }
+  folder.write("n31.model", "list\n");
+  expect_refusal({"model", "n0.model"}, "may lead to at most 1000 more");
+  folder.write("n31.model", "script load n32\n");
+  folder.write("n32.model", "script load n33\n");
+  folder.write("n33.model", "list\n");
+  expect_refusal({"model", "n0.model"}, "scripts load each other at most 32 deep");
+}
+
+TEST_F(HostileFiles, SurfacesAndLightsToTheLimitAndTheLastOneWrong) {
+  const std::string luz = folder.read("s.LUZ");
+  std::string text = "0 0 0\n1\n250000\n";
+  for (int i = 0; i < 249'999; ++i) text += "1 2 3 1\n";
+  folder.write("s.LUZ", text + "1\n");
+  text = {};
+  expect_refusal({"check", "s"}, "s.LUZ:250003: light 250000");
+  folder.write("s.LUZ", luz);
+  text = "250000\n";
+  for (int i = 0; i < 249'999; ++i) text += std::to_string(i) + "\na\nLISA\n0 0 0 0 0 0 0 0 0 0\n";
+  folder.write("s.SUP", text + "x\n");
+  text = {};
+  expect_refusal({"check", "s"}, "a surface's number: \"x\"");
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ TextSource::TextSource(const std::filesystem::path& path) : name_(path.string())
 void TextSource::look_through(bool keep, std::size_t stated, std::size_t most) {
   std::array<char, kPiece + 4> bytes;
   static_assert(kPiece <= kMaxLine);
+  // Not twice the room, as when it grows; what is not filled costs nothing.
+  if (keep) kept_.reserve(stated > 0 ? stated : most);
   std::size_t unfinished = 0;  // bytes of a character whose rest comes in the next piece
   std::size_t lines = 1, line_length = 0;  // of the last line so far
   while (const std::size_t got = std::fread(&bytes[unfinished], 1, kPiece, file_.get())) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -89,9 +90,18 @@ class PngReader {
   void read_rows(std::size_t row_bytes) {
     pixels_ = std::make_unique_for_overwrite<png_byte[]>(row_bytes);
     for (png_uint_32 j = 0; j < header_.height; ++j) {
-      attempt([&] { png_read_row(png_, pixels_.get(), nullptr); });
+      attempt([&] { read_row(pixels_.get(), row_bytes); });
       keep(pixels_.get(), header_.width);
     }
+  }
+
+  // With its last row libpng unpacks all that is behind, which a forged file makes gigabytes of.
+  // Runs under png_succeeds.
+  void read_row(png_bytep row, std::size_t row_bytes) {
+    constexpr std::size_t kAhead = std::size_t{1} << 16;  // libpng's buffer and some small chunks
+    input_.left = 2 * row_bytes + kAhead;
+    png_read_row(png_, row, nullptr);
+    input_.left = kNoLimit;
   }
 
   // Interlaced rows come in several passes, each of which refines them all.
@@ -100,7 +110,10 @@ class PngReader {
     pixels_ = std::make_unique_for_overwrite<png_byte[]>(row_bytes * header_.height);
     rows_.resize(header_.height);
     for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j] = &pixels_[j * row_bytes];
-    attempt([&] { png_read_image(png_, rows_.data()); });
+    attempt([&] {
+      for (int pass = 0; pass < PNG_INTERLACE_ADAM7_PASSES; ++pass)
+        for (png_bytep row : rows_) read_row(row, row_bytes);
+    });
     keep(pixels_.get(), planes_.size.pixels());
   }
 
@@ -114,15 +127,18 @@ class PngReader {
   }
 
   static void get(png_structp png, png_bytep bytes, std::size_t count) {
-    auto* file = static_cast<std::FILE*>(png_get_io_ptr(png));
-    if (std::fread(bytes, 1, count, file) != count) png_error(png, "the file ends too early");
+    auto* input = static_cast<Input*>(png_get_io_ptr(png));
+    if (count > input->left) png_error(png, "there is more behind the pixels than they take");
+    input->left -= count;
+    if (std::fread(bytes, 1, count, input->file) != count)
+      png_error(png, "the file ends too early");
   }
 
   // Runs under png_succeeds: owns nothing. The transformations yield 8 bits a
   // sample; palette indices stay, because libpng would take one that the
   // palette lacks for black.
   void read_header() {
-    png_set_read_fn(png_, file_.get(), get);
+    png_set_read_fn(png_, &input_, get);
     png_set_sig_bytes(png_, 8);
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     // Texts and profiles would be unpacked, for nothing.
@@ -194,8 +210,15 @@ class PngReader {
            std::to_string(pixel / header_.width);
   }
 
+  static constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+  struct Input {
+    std::FILE* file;
+    std::size_t left = kNoLimit;  // bytes that may be read
+  };
+
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  Input input_{file_.get()};
   PngReason reason_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
