@@ -33,17 +33,16 @@ void TextSource::look_through(bool keep, std::size_t stated, std::size_t most) {
   static_assert(kPiece <= kMaxLine);
   // Not twice the room, as when it grows; what is not filled costs nothing.
   if (keep) kept_.reserve(stated > 0 ? stated : most);
-  std::size_t unfinished = 0;  // bytes of a character whose rest comes in the next piece
-  std::size_t lines = 1, line_length = 0;  // of the last line so far
+  std::size_t unfinished = 0;   // bytes of a character whose rest comes in the next piece
+  std::size_t line_length = 0;  // of the last line so far
   while (const std::size_t got = std::fread(&bytes[unfinished], 1, kPiece, file_.get())) {
     // Checked while reading, so that a line of gigabytes costs a megabyte. Lines that begin and
     // end in one piece are short enough.
     const std::string_view piece(&bytes[unfinished], got);
     const auto first_end = piece.find('\n');
     if (line_length + std::min(first_end, got) > kMaxLine)
-      fail(lines, "the line is longer than " + std::to_string(kMaxLine) + " bytes");
+      fail(current_line(), "the line is longer than " + std::to_string(kMaxLine) + " bytes");
     line_length = first_end == piece.npos ? line_length + got : got - 1 - piece.rfind('\n');
-    lines += static_cast<std::size_t>(std::count(piece.begin(), piece.end(), '\n'));
     size_ += got;
     // What is too long by its own statement may still have a line to tell of at its beginning.
     if (size_ > most || (stated > most && size_ > kMaxLine))
@@ -56,8 +55,26 @@ void TextSource::look_through(bool keep, std::size_t stated, std::size_t most) {
     if (utf8_) std::memmove(bytes.data(), bytes.data() + all.size() - unfinished, unfinished);
     else unfinished = 0;
   }
-  if (std::ferror(file_.get())) fail(lines, "cannot be read further");
+  if (std::ferror(file_.get())) fail(current_line(), "cannot be read further");
   utf8_ = utf8_ && unfinished == 0;
+}
+
+// Counted only where it is to be told.
+std::size_t TextSource::current_line() {
+  const auto ends_in = [](std::string_view text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  };
+  std::size_t line = 1 + ends_in(kept_);
+  if (!kept_.empty()) return line;
+  std::rewind(file_.get());
+  std::array<char, kPiece> bytes;
+  for (std::size_t left = size_; left > 0;) {
+    const auto got = std::fread(bytes.data(), 1, std::min(left, bytes.size()), file_.get());
+    if (got == 0) break;
+    line += ends_in({bytes.data(), got});
+    left -= got;
+  }
+  return line;
 }
 
 bool TextSource::read(std::string& text, std::size_t line) {

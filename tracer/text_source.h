@@ -35,6 +35,7 @@ class TextSource {
   static constexpr std::size_t kKept = std::size_t{1} << 20;  // bytes of a small file, at most
 
   void look_through(bool keep, std::size_t stated, std::size_t most);
+  std::size_t current_line();
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const;
 
   std::string name_;
