@@ -14,10 +14,16 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kTwoGigabytes = std::uintmax_t{2} << 30;
 
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SIR_SANITIZED
+#endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SIR_SANITIZED
+#endif
+
+#ifdef SIR_SANITIZED
 constexpr bool kMemoryIsOurs = false;  // the sanitizer's shadow is most of it
-#elif defined(__has_feature)
-constexpr bool kMemoryIsOurs = !__has_feature(address_sanitizer);
 #else
 constexpr bool kMemoryIsOurs = true;
 #endif

@@ -14,8 +14,8 @@ struct Limits {
   /// more; and it is more than twice what a chain of 100,000 operations has. (--max-nodes)
   std::size_t nodes = 250'000;
 
-  /// Pixels of an image, read or made: 10,000 x 10,000, more than cameras take and a hundred times
-  /// the MA120's screen. They are 300 megabytes of planes. (--max-pixels)
+  /// Pixels of an image, read or made: 10,000 x 10,000, more than most cameras take and a hundred
+  /// times the MA120's screen. They are 300 megabytes of planes. (--max-pixels)
   std::size_t pixels = 100'000'000;
 };
 
