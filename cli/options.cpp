@@ -31,6 +31,7 @@
 #include "cli/tracing_options.h"
 #include "cli/why_options.h"
 #include "tracer/error.h"
+#include "tracer/limits.h"
 #include "tracer/text_file.h"
 
 namespace sir::cli {
@@ -245,6 +246,30 @@ void add_hsv(CLI::App& app, Action& action) {
   });
 }
 
+// They hold for every command, before the command as after it, and are in force before its own
+// options are read.
+void add_limits(CLI::App& app) {
+  const auto add = [&app](const std::string& name, std::size_t Limits::*limit, std::size_t most,
+                          const std::string& help) {
+    app.add_option_function<std::size_t>(
+           name,
+           [limit](const std::size_t& value) {
+             Limits changed = limits();
+             changed.*limit = value;
+             set_limits(changed);
+           },
+           help)
+        ->check(CLI::Range(std::size_t{1}, most))
+        ->type_name("N");
+  };
+  const Limits usual;
+  add("--max-nodes", &Limits::nodes, kMostNodes,
+      fmt::format("most nodes, and surfaces, and lights, of a scene that is read ({})",
+                  usual.nodes));
+  add("--max-pixels", &Limits::pixels, kMostPixels,
+      fmt::format("most pixels of an image ({})", usual.pixels));
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
@@ -254,6 +279,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "sir " SIR_VERSION);
   app.add_flag("-q", session.quiet, "say nothing but errors");
   app.add_flag("-v", session.verbose, "say more");
+  add_limits(app);
   app.require_subcommand(1);
   add_model(app, action);
   add_render(app, action);

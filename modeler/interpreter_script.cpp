@@ -1,5 +1,6 @@
 // The script of a session: all that is there, as commands (the thesis has none, 3.2).
 #include <algorithm>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,32 @@ std::string text_of(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) text += line + "\n";
   return text;
 }
+
+// A script that is being loaded, maybe by another. A few scripts that each load the next one twice
+// would go on for ever.
+class Nest {
+ public:
+  Nest() {
+    constexpr int kMostDeep = 32, kMostScripts = 1000;
+    if (deep_ == 0) scripts_ = 0;
+    if (deep_ == kMostDeep)
+      throw CommandError("scripts load each other at most " + std::to_string(kMostDeep) + " deep");
+    if (scripts_ > kMostScripts)
+      throw CommandError("a script that is loaded may lead to at most " +
+                         std::to_string(kMostScripts) + " more");
+    ++deep_;
+    ++scripts_;
+  }
+  ~Nest() { --deep_; }
+  Nest(const Nest&) = delete;
+  Nest& operator=(const Nest&) = delete;
+
+ private:
+  static thread_local int deep_, scripts_;
+};
+
+thread_local int Nest::deep_ = 0;
+thread_local int Nest::scripts_ = 0;
 
 }  // namespace
 
@@ -77,6 +104,7 @@ Reply Interpreter::load_script(const Path& given) {
   for (const Path& input : being_read())
     if (std::filesystem::equivalent(file, input, ignored))
       throw CommandError(in_quotes(file.string()) + " is being read: it cannot load itself");
+  const Nest nest;
   const Interpreter before = *this;
   Reply all;
   protect(file);

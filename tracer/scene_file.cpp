@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tracer/atomic_files.h"
+#include "tracer/limits.h"
 #include "tracer/scene_path.h"
 
 namespace sir {
@@ -49,6 +50,12 @@ Scene read_scene(const std::filesystem::path& base) {
   Scene scene{read_csg(csg), read_camera(cam), read_lighting(luz), read_surfaces(sup)};
   check_surfaces(scene.tree, scene.surfaces, csg.name(), sup.name());
   return scene;
+}
+
+void require_at_most(const TextFile& file, std::int64_t announced, const char* things) {
+  if (static_cast<std::uint64_t>(announced) > limits().nodes)
+    file.fail("the file announces " + std::to_string(announced) + " " + things + "; " +
+              at_most(limits().nodes, things, "--max-nodes"));
 }
 
 std::string csg_text(const CsgTree& tree) {
