@@ -10,6 +10,15 @@ string(REGEX MATCHALL "-fsanitize=[^ ]+" sir_sanitizers "${sir_flags}")
 list(JOIN sir_sanitizers "," sir_sanitizers)
 string(REPLACE "-fsanitize=" "" sir_sanitizers "${sir_sanitizers}")
 
+# Of utf8proc 2.8 pkg-config says 2.6: its header knows.
+set(utf8proc_numbers)
+foreach(part MAJOR MINOR PATCH)
+  file(STRINGS ${utf8proc_INCLUDEDIR}/utf8proc.h line REGEX "^#define UTF8PROC_VERSION_${part} ")
+  string(REGEX REPLACE ".*VERSION_${part} +([0-9]+).*" "\\1" number "${line}")
+  list(APPEND utf8proc_numbers ${number})
+endforeach()
+list(JOIN utf8proc_numbers "." utf8proc_VERSION)
+
 set(libraries "libpng ${PNG_VERSION_STRING}" "lcms2 ${lcms2_VERSION}"
   "utf8proc ${utf8proc_VERSION}" "GMP ${gmpxx_VERSION}" "Highway ${hwy_VERSION}"
   "GLM ${glm_VERSION}" "fmt ${fmt_VERSION}" "CLI11 ${CLI11_VERSION}"

@@ -68,8 +68,8 @@ _sir_value() {
 }
 
 _sir() {
-  local cur=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command= i
-  local options value optional positionals
+  local cur=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command='' i
+  local options value='' optional=''
   COMPREPLY=()
   # bash takes --option=value apart at the sign.
   if [[ $cur == = ]]; then
@@ -91,7 +91,6 @@ _sir() {
     fi
     return
   fi
-  value= optional=
   _sir_form "$command" "$before"
   # A value that is not required comes only after the sign.
   if [[ -n $value && ( -z $optional || ${COMP_WORDS[COMP_CWORD]} == = ||
