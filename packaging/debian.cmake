@@ -39,8 +39,9 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME sir)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-# Loaded where a window is opened: shlibdeps cannot see it.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS libsdl2-2.0-0)
+if(SIR_WITH_SDL)  # loaded where a window is opened: shlibdeps cannot see it
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS libsdl2-2.0-0)
+endif()
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot-nox, bash-completion")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "CSG ray tracer, 256-colour tables and an emulated Eltek MA120
 The image-synthesis laboratory of a master's thesis of 1989, rebuilt: a modeler

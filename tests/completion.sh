@@ -77,7 +77,8 @@ loaded=
 for command in $("$sir" --help | sed -n '/^Subcommands:/,$ s/^  \([a-z]*\) .*/\1/p'); do
   expect "$("$sir" "$command" --help | grep -oP '^  \K-[^ {]+' | tr ',' '\n' |
     { cat; printf '%s\n' -q -v; } | sort -u | paste -sd ' ')" sir "$command" -
-  for option in $("$sir" "$command" --help | grep -oP '^  \K-[^ {]+(?= [a-z0-9-]+\|)' | tr ',' '\n'); do
+  for option in $("$sir" "$command" --help |
+    grep -oP '^  \K-[^ {]+(?= [a-z0-9-]+\|)' | tr ',' '\n'); do
     for word in $(offered sir "$command" "$option" ''); do
       said=$("$sir" "$command" "$option" "$word" 2>&1 </dev/null || true)
       [[ $said != *"\"$word\" is not"* ]] || { echo "FAILED: $said" >&2; failures=1; }

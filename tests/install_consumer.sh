@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# install_consumer.sh BUILD SOURCE CXX FLAGS VERSION: what `cmake --install` leaves works wherever it
-# is moved to: the program, its pages, completion and scenes, and the libraries for a program of
+# install_consumer.sh BUILD SOURCE CXX FLAGS VERSION: what `cmake --install` leaves works
+# wherever it is moved to: the program, its pages, completion and scenes, and the libraries for a program of
 # somebody else's (tests/consumer), whose numbers are those of `sir` itself.
 set -euo pipefail
 build=$1 source=$2 cxx=$3 flags=$4 version=$5
@@ -40,7 +40,8 @@ while read -r header; do
 done < <(grep -rhoP '^#include "\K[^"]+' "$P/include/sir" | sort -u)
 
 cmake -G Ninja -S "$source/tests/consumer" -B consumer -D CMAKE_CXX_COMPILER="$cxx" \
-  -D CMAKE_CXX_FLAGS="$flags" -D CMAKE_PREFIX_PATH="$P" -D CMAKE_BUILD_TYPE=Debug >configured 2>&1 ||
+  -D CMAKE_CXX_FLAGS="$flags" -D CMAKE_PREFIX_PATH="$P" -D CMAKE_BUILD_TYPE=Debug \
+  >configured 2>&1 ||
   { cat configured; fail "find_package"; }
 cmake --build consumer --verbose >built 2>&1 || { cat built; fail "the consumer does not build"; }
 grep -q -e '-Werror' built && fail "our warnings are the consumer's errors"
