@@ -12,6 +12,7 @@
 
 #include "cli/add_option.h"
 #include "cli/colour_options.h"
+#include "cli/command_line.h"
 #include "cli/cost/cost_options.h"
 #include "cli/effects_command.h"
 #include "cli/export_command.h"
@@ -29,6 +30,7 @@
 #include "cli/show_options.h"
 #include "cli/table_command.h"
 #include "cli/tracing_options.h"
+#include "cli/version_text.h"
 #include "cli/why_options.h"
 #include "tracer/error.h"
 #include "tracer/limits.h"
@@ -175,7 +177,7 @@ void add_metrics(CLI::App& app, Action& action) {
   sub->add_option("--lut", options->lut,
                   "also say what REF loses through this LUT by its entries, by the DAC's bits "
                   "and by the mapping")
-      ->type_name("FILE");
+      ->type_name("FILE.LUT");
   add_size(sub, options->size, "size of the planes (640x480)");
   sub->add_flag("--json", options->json, "print JSON");
   sub->callback([&action, options] {
@@ -207,7 +209,9 @@ void add_table(CLI::App& app, Action& action) {
   sub->add_option("--images", command->images, "folder of the five scenes")->type_name("DIR");
   sub->add_option("--planes", command->planes, "folder of their planes, to save rendering them")
       ->type_name("DIR");
-  sub->add_option("--repeats", command->repeats, "timed runs (5)")->check(CLI::Range(1, 1000));
+  sub->add_option("--repeats", command->repeats, "timed runs (5)")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
   sub->add_flag("--json", command->json, "print JSON");
   sub->add_option("--html", command->html, "also write a report: one page with all pictures in it")
       ->type_name("FILE");
@@ -272,11 +276,13 @@ void add_limits(CLI::App& app) {
 
 }  // namespace
 
-int run(int argc, char** argv) {
-  CLI::App app("SIR: CSG scenes, 256-entry lookup tables and the Eltek MA120 of 1989.", "sir");
-  Session session;
-  Action action;
-  app.set_version_flag("--version", "sir " SIR_VERSION);
+std::vector<const CLI::App*> subcommands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+void add_all(CLI::App& app, Session& session, Action& action) {
+  app.description("SIR: CSG scenes, 256-entry lookup tables and the Eltek MA120 of 1989.");
+  app.set_version_flag("--version", version_text);
   app.add_flag("-q", session.quiet, "say nothing but errors");
   app.add_flag("-v", session.verbose, "say more");
   add_limits(app);
@@ -299,6 +305,13 @@ int run(int argc, char** argv) {
   add_planes(app, action);
   add_export(app, action);
   for (CLI::App* sub : app.get_subcommands([](CLI::App*) { return true; })) sub->fallthrough();
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("", "sir");
+  Session session;
+  Action action;
+  add_all(app, session, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "build_facts.h"
 #include "cli/option_values.h"
 #include "tracer/fnv1a.h"
 #include "tracer/scene_file.h"
@@ -27,7 +28,7 @@ std::string program() {
   while (file.read(part.data(), part.size()), file.gcount() > 0)
     number = fnv1a(std::as_bytes(std::span(part.data(), static_cast<std::size_t>(file.gcount()))),
                    number);
-  return fmt::format("{} {:016x}", SIR_VERSION, number);
+  return fmt::format("{} {:016x}", kVersion, number);
 }
 
 std::string effects_text(EffectSet effects) {
