@@ -118,10 +118,13 @@ modeler::Outlet make_outlet() {
 int run_model(const ModelOptions& options, const Session& session) {
   if (options.window) return run_window(options);
   if (options.from) return print_script(*options.from);
+  if (options.recover && ::isatty(STDIN_FILENO) != 1)
+    throw FileError("--recover", 0, "a session goes on at a terminal, or with --window");
   modeler::Interpreter interpreter(make_outlet());
   if (options.script && *options.script != "-")
     return run_file(*options.script, interpreter, session);
-  if (!options.script && ::isatty(STDIN_FILENO) == 1) return run_prompt(interpreter, session);
+  if (!options.script && ::isatty(STDIN_FILENO) == 1)
+    return run_prompt(interpreter, session, options.recover);
   return run_standard_input(interpreter, session);
 }
 
@@ -130,11 +133,17 @@ void add_model(CLI::App& app, Action& action) {
       "model", "Model solids: by commands at a prompt, from standard input or from a script");
   const auto options = std::make_shared<ModelOptions>();
   auto* script = sub->add_option("SCRIPT", options->script, "commands, one a line (-: from stdin)");
-  sub->add_option("--from", options->from, "print the script that makes BASE.CSG")
-      ->type_name("BASE")
-      ->excludes(script);
+  auto* from = sub->add_option("--from", options->from, "print the script that makes BASE.CSG")
+                   ->type_name("BASE")
+                   ->excludes(script);
   sub->add_flag("--window", options->window,
                 "work in a window; with --from on BASE.CSG, seen by BASE.CAM, .LUZ and .SUP");
+  sub->add_option("--recover", options->recover,
+                  "begin with a session that was not ended: the last, or SESSION")
+      ->type_name("SESSION")
+      ->expected(0, 1)
+      ->excludes(script)
+      ->excludes(from);
   sub->footer("The commands: sir model, then help; docs/modeler.md.");
   sub->callback([&action, options] {
     if (options->from) options->from = given_base(*options->from);

@@ -106,6 +106,9 @@ class TextFile {
 
   const std::string& name() const { return name_; }
 
+  /// The whole text, in UTF-8.
+  std::string_view text() const { return text_; }
+
   /// Bytes of the whole text.
   std::size_t size() const { return text_.size(); }
 
