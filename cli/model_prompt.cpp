@@ -58,14 +58,19 @@ bool obey(modeler::Interpreter& interpreter, const Session& session, const std::
   return true;
 }
 
-}  // namespace
-
-modeler::Reply begin_recovered(modeler::Interpreter& interpreter, const std::string& which) {
+// Before a person does anything.
+modeler::Reply recovered(modeler::Interpreter& interpreter, const std::string& which) {
   try {
-    return interpreter.execute("recover" + (which.empty() ? "" : " " + modeler::as_word(which)));
+    return interpreter.execute(recover_line(which));
   } catch (const modeler::CommandError& error) {
     throw FileError("--recover", 0, error.what());
   }
+}
+
+}  // namespace
+
+std::string recover_line(const std::string& which) {
+  return "recover" + (which.empty() ? "" : " " + modeler::as_word(which));
 }
 
 int run_prompt(modeler::Interpreter& interpreter, const Session& session,
@@ -80,7 +85,7 @@ int run_prompt(modeler::Interpreter& interpreter, const Session& session,
   if (!session.quiet) print("Type help for the commands, quit to leave.\n");
   modeler::Keeper keeper(interpreter, modeler::state_folder());
   if (recover) {
-    tell(begin_recovered(interpreter, *recover), session);
+    tell(recovered(interpreter, *recover), session);
   } else if (const std::string offer = keeper.offer(); !offer.empty() && !session.quiet) {
     print(offer + "\n");
   }

@@ -9,12 +9,12 @@
 
 namespace sir::cli {
 
-/// Brings back a session before a person does anything; "": the last one. Throws FileError.
-modeler::Reply begin_recovered(modeler::Interpreter& interpreter, const std::string& which);
+/// The command that brings back a session; "": the last one.
+std::string recover_line(const std::string& which);
 
 /// Reads commands from the terminal and does them; what is wrong with one is said, and changes
 /// nothing. Who leaves with solids that are not saved is warned once. The session is kept as it
-/// goes on (modeler/keeper.h); `recover`: the one to begin with, as of begin_recovered(). Returns
+/// goes on (modeler/keeper.h); `recover`: the one to begin with, as of recover_line(). Returns
 /// an exit code. Throws FileError.
 int run_prompt(modeler::Interpreter& interpreter, const Session& session,
                const std::optional<std::string>& recover);

@@ -180,7 +180,7 @@ Reply Keeper::bring_back(const fs::path& file) {
     reply.warnings.push_back(fmt::format("{}: its last {} are no whole command and are left out",
                                          name, counted(text.size() - journal.whole, "byte")));
   if (!aside.empty()) reply.warnings.push_back(std::move(aside));
-  own_ = true;
+  own_ = recovered_ = true;
   try {
     journal_ = std::make_unique<JournalFile>(std::move(*locked), journal.whole);
     if (!played.failed.empty()) journal_->append(journal_text(recovered(interpreter_)));

@@ -31,7 +31,10 @@ class Keeper {
 
   /// From here on it is a person that gives the commands. What came before is made again by whoever
   /// begins so again, and is by itself no reason to keep a journal.
-  void begin() { own_ = false; }
+  void begin() { own_ = recovered_; }
+
+  /// Whether what there is goes on from another session.
+  bool recovered() const { return recovered_; }
 
   /// Those that `recover` can bring back, the last one first.
   std::vector<KeptSession> sessions() const { return kept_sessions(folder_); }
@@ -58,6 +61,7 @@ class Keeper {
   std::unique_ptr<JournalFile> journal_;
   bool broken_ = false;  // nothing more can be written
   bool own_ = false;     // a person has changed something
+  bool recovered_ = false;
 };
 
 }  // namespace sir::modeler

@@ -252,7 +252,8 @@ void ModelDesk::begin() {
 }
 
 std::vector<modeler::KeptSession> ModelDesk::kept() const {
-  return keeper_ ? keeper_->sessions() : std::vector<modeler::KeptSession>();
+  return keeper_ && !keeper_->recovered() ? keeper_->sessions()
+                                          : std::vector<modeler::KeptSession>();
 }
 
 std::string ModelDesk::end() { return keeper_ ? keeper_->end() : std::string(); }

@@ -112,7 +112,7 @@ class ModelDesk {
   /// What has been done so far was not done by a person. From here on it is.
   void begin();
 
-  /// Sessions that can be recovered, the last one first.
+  /// Sessions that can be recovered, the last one first; none where one has been.
   std::vector<modeler::KeptSession> kept() const;
 
   /// Ends the journal, as of a session that is over: a line that says so where it stays, else "".
