@@ -41,7 +41,7 @@ std::string working_folder() {
 
 // Stands in a journal where some of the commands before it could not be done: what is undone behind
 // it is what there was then.
-Deed recovered(const Interpreter& interpreter) {
+Deed not_all_of(const Interpreter& interpreter) {
   Deed deed;
   deed.command = "# recovered, not all of it";
   deed.undoable = interpreter.undoable();
@@ -183,7 +183,7 @@ Reply Keeper::bring_back(const fs::path& file) {
   own_ = recovered_ = true;
   try {
     journal_ = std::make_unique<JournalFile>(std::move(*locked), journal.whole);
-    if (!played.failed.empty()) journal_->append(journal_text(recovered(interpreter_)));
+    if (!played.failed.empty()) journal_->append(journal_text(not_all_of(interpreter_)));
   } catch (const FileError& error) {
     broken_ = true;
     reply.warnings.push_back(std::string(error.what()) +

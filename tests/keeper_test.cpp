@@ -133,7 +133,8 @@ TEST_F(Sessions, OneThatGoesOnIsNobodyElses) {
   // What there was is put aside, and can be had again.
   const modeler::Reply reply = say("recover");
   EXPECT_TRUE(has("b"));
-  EXPECT_THAT(reply.warnings, ElementsAre("not all was saved; " + name + " is kept: sir model, "
+  EXPECT_THAT(reply.warnings, ElementsAre("not all was saved; " + name +
+                                          " is kept: sir model, "
                                           "then recover"));
   say("recover --discard all");
   EXPECT_THAT(keeper->sessions(), IsEmpty());

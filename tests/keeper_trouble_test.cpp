@@ -37,8 +37,7 @@ TEST_F(TornSessions, AtAnyByteNothingIsLostThatWasWhole) {
   begin();
   const std::string whole = journal();
   ASSERT_EQ(whole.size(), sizes.back());
-  const std::size_t head =
-      modeler::read_journal("j", whole.substr(0, sizes.front() - 1)).whole;
+  const std::size_t head = modeler::read_journal("j", whole.substr(0, sizes.front() - 1)).whole;
   for (std::size_t size = 0; size <= whole.size(); ++size) {
     const std::string text = whole.substr(0, size);
     if (size < head) {
@@ -75,10 +74,10 @@ TEST_F(TornSessions, WhatIsRefusedIsToldAndTheRestIsThere) {
                                               "do 2 - frobnicate a\n"
                                               "do 3 - create b cube 1\n"
                                               "do 4 - delete c\n"
-                                              "do 3 - undo\n"   // of what was refused: nothing
-                                              "do 2 - undo\n"   // of b
-                                              "do 3 - redo\n"   // of b
-                                              "do 4 - redo\n"   // of what was refused
+                                              "do 3 - undo\n"  // of what was refused: nothing
+                                              "do 2 - undo\n"  // of b
+                                              "do 3 - redo\n"  // of b
+                                              "do 4 - redo\n"  // of what was refused
                                               "do 5 - load d nothing\n"
                                               "do 6 - create e cube 1\n");
   EXPECT_THAT(keeper->offer(), HasSubstr("the last: images/calice in /nowhere, "));
@@ -123,6 +122,7 @@ TEST_F(TornSessions, AFolderThatCannotBeMadeIsNoReasonToStop) {
   EXPECT_THAT(say("create b cube 1").warnings, IsEmpty());
   EXPECT_EQ(interpreter.undoable(), 2u);
   EXPECT_EQ(keeper->end(), "");
+  keeper.reset();
   keeper = std::make_unique<modeler::Keeper>(interpreter, "");
   EXPECT_THAT(say("create c cube 1").warnings, ElementsAre(HasSubstr("XDG_STATE_HOME")));
 }
@@ -133,7 +133,7 @@ TEST_F(TornSessions, AFullDiskLeavesWhatWasWhole) {
   std::signal(SIGXFSZ, SIG_IGN);
   struct rlimit before {};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const struct rlimit little {std::filesystem::file_size(path) + 5, before.rlim_max};
+  const struct rlimit little { std::filesystem::file_size(path) + 5, before.rlim_max };
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &little), 0);
   const auto first = say("create b cube 1").warnings, second = say("create c cube 1").warnings;
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
