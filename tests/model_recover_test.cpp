@@ -132,7 +132,7 @@ TEST_F(ModelRecover, WhoeverLeavesWithSomethingUnsavedIsToldWhereItIs) {
     terminal.type("create bola sphere 1\nquit\nquit\n");
     EXPECT_EQ(terminal.finish(), 0);
     ASSERT_EQ(journals().size(), 1u);
-    EXPECT_THAT(terminal.shown(), HasSubstr("\nnot all was saved; " + journals()[0] + " is kept"));
+    EXPECT_THAT(terminal.shown(), HasSubstr("not all was saved; " + journals()[0] + " is kept"));
   }
   AtTerminal terminal({"model"}, folder.path(), 80);
   ASSERT_TRUE(terminal.wait_for("sir> "));
