@@ -141,6 +141,17 @@ TEST_F(Sessions, OneThatGoesOnIsNobodyElses) {
   EXPECT_TRUE(has("b"));
 }
 
+TEST_F(Sessions, AHandThatHeldTheCameraIsGone) {
+  interpreter.hold_camera();
+  say_all({"create a cube 1", "camera zoom 1", "camera zoom 1"});
+  const std::string looks = looks_of(interpreter);
+  begin();
+  say_all({"recover", "camera zoom 1", "undo camera"});
+  EXPECT_EQ(looks_of(interpreter), looks);
+  say("undo camera");
+  EXPECT_FALSE(interpreter.looks().camera);
+}
+
 TEST_F(Sessions, WhatIsSavedNeedsNoJournal) {
   EXPECT_EQ(keeper->end(), "");
   EXPECT_FALSE(std::filesystem::exists(journals()));

@@ -100,6 +100,24 @@ TEST_F(TornSessions, WhatIsRefusedIsToldAndTheRestIsThere) {
   EXPECT_TRUE(has("h"));
 }
 
+// Nor does its undo, when the session goes on, take back another's.
+TEST_F(TornSessions, AnUndoOfWhatWasRefusedTakesBackNothing) {
+  std::filesystem::create_directory(journals());
+  const auto head = modeler::journal_text({"2026-11-22 21:50:07", folder.path().string(), ""});
+  folder.write("state/session-1.journal", head +
+                                              "do 1 - create a cube 1\n"
+                                              "do 2 - delete c\n"
+                                              "do 1 - undo\n"
+                                              "do 2 - delete d\n");
+  EXPECT_THAT(say("recover").warnings, SizeIs(2));
+  EXPECT_THAT(interpreter.script(), ElementsAre("create a cube 1"));
+  for (const char* line : {"create f cube 1", "undo"}) say(line);
+  begin();
+  say("recover");
+  EXPECT_THAT(interpreter.script(), ElementsAre("create a cube 1"));
+  EXPECT_EQ(interpreter.undoable(), 1u);
+}
+
 TEST_F(TornSessions, WhatIsNoJournalIsLeftAlone) {
   std::filesystem::create_directory(journals());
   folder.write("state/other.journal", "something else\n");
