@@ -53,7 +53,10 @@ std::string shown_name(const fs::path& file) { return file.stem().string(); }
 }  // namespace
 
 Keeper::Keeper(Interpreter& interpreter, fs::path folder, std::string from)
-    : interpreter_(interpreter), folder_(std::move(folder)), from_(std::move(from)) {
+    : interpreter_(interpreter),
+      folder_(std::move(folder)),
+      from_(std::move(from)),
+      begun_(from_.empty()) {
   interpreter_.keep({[this](const Deed& deed) { return note(deed); },
                      [this](const std::vector<std::string>& words) { return recover(words); },
                      [this] { return kept_names(folder_); }});
@@ -65,7 +68,7 @@ Keeper::~Keeper() {
 }
 
 std::string Keeper::note(const Deed& deed) {
-  own_ = own_ || is_work(deed.command);
+  own_ = own_ || (begun_ && is_work(deed.command));
   if (broken_) return {};
   try {
     if (!journal_) {

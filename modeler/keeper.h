@@ -20,7 +20,7 @@ namespace sir::modeler {
 class Keeper {
  public:
   /// `folder` is where journals are; empty: there is no such place. `from`: what is opened or run
-  /// before a person does anything; "" for nothing.
+  /// before a person does anything, which is from begin() on; "" for nothing.
   Keeper(Interpreter& interpreter, std::filesystem::path folder, std::string from = {});
 
   /// The session is dropped, as by a signal: its journal stays where it has something of the
@@ -31,7 +31,10 @@ class Keeper {
 
   /// From here on it is a person that gives the commands. What came before is made again by whoever
   /// begins so again, and is by itself no reason to keep a journal.
-  void begin() { own_ = recovered_; }
+  void begin() {
+    begun_ = true;
+    own_ = recovered_;
+  }
 
   /// Whether what there is goes on from another session.
   bool recovered() const { return recovered_; }
@@ -62,6 +65,7 @@ class Keeper {
   bool broken_ = false;  // nothing more can be written
   bool own_ = false;     // a person has changed something
   bool recovered_ = false;
+  bool begun_;  // what is done is done by a person
 };
 
 }  // namespace sir::modeler

@@ -178,6 +178,11 @@ TEST_F(Sessions, WhatIsSavedNeedsNoJournal) {
   say("camera zoom 1");
   EXPECT_EQ(keeper->end(), "");
   EXPECT_TRUE(std::filesystem::is_empty(journals()));
+  // Be it that it ends where it was to begin.
+  begin("a.model");
+  say("create a cube 1");
+  begin();
+  EXPECT_TRUE(std::filesystem::is_empty(journals()));
 }
 
 TEST_F(Sessions, TheyAreForTheirOwnersEyes) {
