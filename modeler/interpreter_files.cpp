@@ -30,6 +30,7 @@ void Interpreter::protect(const Path& file) {
 void Interpreter::release(const Path& file) { released_.push_back(file); }
 
 void Interpreter::require_writable(const Path& file) const {
+  if (repeated_ != nullptr) return;
   for (const Path& input : protected_) refuse_same_file(file, input);
 }
 
@@ -44,11 +45,11 @@ Reply Interpreter::save(Arguments& words) {
   require_writable(file);
   Reply reply;
   if (suffix == ".model") {
-    write_file_atomically(file, script_text(tree, file.stem().string() + ".CSG"));
+    write(file, script_text(tree, file.stem().string() + ".CSG"));
   } else {
     bool numbers_lost = false;
     const CsgTree nodes = to_csg(tree, &numbers_lost);
-    write_file_atomically(file, csg_text(nodes));
+    write(file, csg_text(nodes));
     if (numbers_lost)
       reply.warnings.push_back(file.string() +
                                ": numbered anew, for not all nodes have numbers of their own");
@@ -58,8 +59,8 @@ Reply Interpreter::save(Arguments& words) {
   return noted(words, file, std::move(reply));
 }
 
-Changes Interpreter::load(const std::string& name, const Path& given) const {
-  TextFile file = file_to_read(given, "CSG");
+Changes Interpreter::load(const std::string& name, const Path& given) {
+  TextFile file = read(given, "CSG");
   return insert(solids_, name, from_csg(read_csg(file)));
 }
 

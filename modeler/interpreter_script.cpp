@@ -12,6 +12,7 @@
 #include "modeler/look_words.h"
 #include "modeler/script.h"
 #include "tracer/atomic_file.h"
+#include "tracer/scene_file.h"
 #include "tracer/scene_path.h"
 
 namespace sir::modeler {
@@ -100,7 +101,7 @@ Reply Interpreter::load_script(const Path& given) {
   const bool there = std::filesystem::is_regular_file(given, ignored) || is_device(given) ||
                      (given.has_extension() && !std::filesystem::exists(with_model, ignored));
   const Path file = there ? given : with_model;
-  TextFile text(file);
+  TextFile text = read([&] { return TextFile(file); });
   for (const Path& input : being_read())
     if (std::filesystem::equivalent(file, input, ignored))
       throw CommandError(in_quotes(file.string()) + " is being read: it cannot load itself");
@@ -128,20 +129,25 @@ Reply Interpreter::load_script(const Path& given) {
 
 Reply Interpreter::save_script(const Path& given) {
   const Path file = file_to_write(given, "model");
-  for (const Path& input : being_read()) refuse_same_file(file, input);
+  if (repeated_ == nullptr)
+    for (const Path& input : being_read()) refuse_same_file(file, input);
   // Run from there, the script could not write over itself.
   const auto refuse = [&](const std::vector<History::Note>& notes) {
     for (const History::Note& note : notes) {
       std::error_code missing;
-      if (!is_device(file) && std::filesystem::equivalent(file, note.file, missing))
+      if (repeated_ == nullptr && !is_device(file) &&
+          std::filesystem::equivalent(file, note.file, missing))
         throw CommandError(fmt::format("{} is what a command of the script writes: {}",
                                        in_quotes(file.string()), note.command));
     }
   };
   refuse(history_.first_notes());
   for (const History::Record& record : history_.in_force()) refuse(record.notes);
-  write_file_atomically(file, text_of(script()));
+  write(file, text_of(script()));
   for (const auto& [place, entry] : solids_.entries()) entry->saved = true;
+  saved_light_ = light_line(looks_.lighting);
+  saved_surfaces_ = surfaces_text(looks_.surface_list());
+  changed_ = true;
   return {{}, "wrote " + file.string(), {}, false};
 }
 

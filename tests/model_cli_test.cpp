@@ -18,7 +18,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-class ModelCli : public CliTest {};
+class ModelCli : public CliTest {
+ protected:
+  void SetUp() override { ::setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1); }
+};
 
 TEST_F(ModelCli, AScriptBuildsAndSaves) {
   folder.write("bola.model",

@@ -128,6 +128,12 @@ bool TextFile::read_on() {
   return false;
 }
 
+std::string TextFile::whole() {
+  while (read_on()) continue;
+  const std::string_view text = std::string_view(text_).substr(position_);
+  return utf8_ ? std::string(text) : latin1_to_utf8(text);
+}
+
 bool TextFile::next() {
   if (put_back_) {
     put_back_ = false;

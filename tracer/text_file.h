@@ -109,6 +109,10 @@ class TextFile {
   /// Bytes of the whole text, as it stands in the file.
   std::size_t size() const { return size_; }
 
+  /// The whole text, in UTF-8, for who keeps it; to be asked before the first next(). All of it is
+  /// in memory from then on.
+  std::string whole();
+
  private:
   static std::string name_by(const Naming auto& what) {
     if constexpr (std::invocable<decltype(what)>) return what();
