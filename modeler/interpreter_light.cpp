@@ -106,12 +106,12 @@ Reply Interpreter::light_command(Arguments& words) {
       return all(std::move(lighting), "light: set");
     }
     case LightWord::load: {
-      TextFile file = file_to_read(words.next(), "LUZ");
+      TextFile file = file_to_read(file_word(words), "LUZ");
       return all(read_lighting(file), "light: that of " + file.name());
     }
     case LightWord::made_up: return all(std::nullopt, "light: made up");
     case LightWord::save: {
-      const std::filesystem::path file = file_to_write(words.next(), "LUZ");
+      const std::filesystem::path file = file_to_write(file_word(words), "LUZ");
       words.end();
       require_writable(file);
       write_file_atomically(file, lighting_text(now));

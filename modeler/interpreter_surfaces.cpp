@@ -38,7 +38,7 @@ Reply Interpreter::surfaces_command(Arguments& words) {
   }
   switch (value_of(surfaces_words(), words.next(), "word of surfaces")) {
     case SurfacesWord::load: {
-      TextFile file = file_to_read(words.next(), "SUP");
+      TextFile file = file_to_read(file_word(words), "SUP");
       words.end();
       const std::vector<Surface> described = read_surfaces(file);
       LookChanges changes;
@@ -50,7 +50,7 @@ Reply Interpreter::surfaces_command(Arguments& words) {
                     fmt::format("{} of {}", counted(described.size(), "surface"), file.name()));
     }
     case SurfacesWord::save: {
-      const std::filesystem::path file = file_to_write(words.next(), "SUP");
+      const std::filesystem::path file = file_to_write(file_word(words), "SUP");
       words.end();
       require_writable(file);
       write_file_atomically(file, surfaces_text(looks_.surface_list()));

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "eltek/screen.h"
 #include "tracer/planes.h"
@@ -31,5 +33,8 @@ void write_indexed_png(const std::filesystem::path& path, const eltek::IndexedSc
 /// empty, no PNG, damaged, cut off or larger than kMaxPngPixels, and for one
 /// with a pixel that is not fully opaque.
 Planes read_png(const std::filesystem::path& path);
+
+/// The same from memory; `name` stands for the file in errors.
+Planes parse_png(const std::string& name, std::span<const std::uint8_t> bytes);
 
 }  // namespace sir::viewer

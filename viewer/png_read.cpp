@@ -6,6 +6,7 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tracer/error.h"
@@ -27,8 +28,8 @@ struct Header {
 
 class PngReader {
  public:
-  explicit PngReader(const std::filesystem::path& path)
-      : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
+  /// `file` may be null, errno then says why; it is closed at the end.
+  PngReader(std::string name, std::FILE* file) : name_(std::move(name)), file_(file, &std::fclose) {
     if (!file_) fail(std::string("cannot be read: ") + std::strerror(errno));
     check_signature();
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reason_, on_png_error, on_png_warning);
@@ -64,9 +65,7 @@ class PngReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& reason) const {
-    throw FileError(path_.string(), 0, reason);
-  }
+  [[noreturn]] void fail(const std::string& reason) const { throw FileError(name_, 0, reason); }
 
   template <class Step>
   void attempt(const Step& step) {
@@ -159,7 +158,7 @@ class PngReader {
            std::to_string(pixel / header_.width);
   }
 
-  std::filesystem::path path_;
+  std::string name_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   PngReason reason_;
   png_structp png_ = nullptr;
@@ -171,6 +170,14 @@ class PngReader {
 
 }  // namespace
 
-Planes read_png(const std::filesystem::path& path) { return PngReader(path).read(); }
+Planes read_png(const std::filesystem::path& path) {
+  return PngReader(path.string(), std::fopen(path.c_str(), "rb")).read();
+}
+
+Planes parse_png(const std::string& name, std::span<const std::uint8_t> bytes) {
+  // A stream of the system's, so that both ways read alike; it is never written to.
+  auto* start = const_cast<std::uint8_t*>(bytes.data());
+  return PngReader(name, ::fmemopen(start, bytes.size(), "rb")).read();
+}
 
 }  // namespace sir::viewer
