@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "tracer/error.h"
 #include "viewer/png_file.h"
@@ -20,6 +19,7 @@ namespace {
 struct Header {
   png_uint_32 width = 0, height = 0;
   int colour_type = 0;
+  int passes = 1;  ///< over all rows
   std::size_t samples = 0;  ///< a pixel's bytes as read: 1 palette index, 3 RGB or 4 RGBA
   std::size_t entries = 0;
   std::array<png_color, 256> palette{};
@@ -54,11 +54,12 @@ class PngReader {
     const std::size_t row_bytes = header_.width * header_.samples;
     // Not zeroed: a forged header must not cost memory that no pixel fills.
     pixels_ = std::make_unique_for_overwrite<png_byte[]>(row_bytes * header_.height);
-    // Interlaced rows come in several passes, each of which refines them all.
-    rows_.resize(header_.height);
-    for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j] = &pixels_[j * row_bytes];
+    // Row by row, without a list of rows, whose length a forged header would say. Interlaced rows
+    // come in several passes, each of which refines them all.
     attempt([&] {
-      png_read_image(png_, rows_.data());
+      for (int pass = 0; pass < header_.passes; ++pass)
+        for (std::size_t j = 0; j < header_.height; ++j)
+          png_read_row(png_, &pixels_[j * row_bytes], nullptr);
       png_read_end(png_, nullptr);
     });
     return to_planes();
@@ -108,7 +109,7 @@ class PngReader {
       png_set_scale_16(png_);
       png_set_gray_to_rgb(png_);
     }
-    png_set_interlace_handling(png_);
+    header_.passes = png_set_interlace_handling(png_);
   }
 
   void read_palette(bool transparency) {
@@ -165,7 +166,6 @@ class PngReader {
   png_infop info_ = nullptr;
   Header header_;
   std::unique_ptr<png_byte[]> pixels_;
-  std::vector<png_bytep> rows_;
 };
 
 }  // namespace
