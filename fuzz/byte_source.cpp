@@ -1,6 +1,5 @@
 #include "fuzz/byte_source.h"
 
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -12,10 +11,7 @@ double ByteSource::coordinate() {
   if (kind < 12) return (value % 16) * 0.25;
   if (kind == 12) return value / 16.0 * (1 + std::numeric_limits<double>::epsilon() * below(64));
   if (kind == 13) return std::ldexp(value, below(64) - 32);
-  const auto low = static_cast<std::uint64_t>(byte());
-  const auto bits = static_cast<std::uint64_t>(static_cast<std::uint8_t>(value)) << 56 | low << 48;
-  const double any = std::bit_cast<double>(bits);
-  return std::isfinite(any) ? any : 1;
+  return value / 16.0 * (1 + byte() / 257.0);
 }
 
 double ByteSource::extent() {

@@ -26,8 +26,8 @@ class ByteSource {
   bool flag() { return (byte() & 1) != 0; }
 
   /// A coordinate. Most are quarters from -4 to 3.75, on which faces coincide and rays run in
-  /// faces; some are sixteenths moved by a few units in the last place, or far away, or any
-  /// number of a double's first 16 bits.
+  /// faces; some are sixteenths moved by a few units in the last place, or of any size from 2^-32
+  /// to 2^38, or no neat numbers.
   double coordinate();
 
   /// Like a coordinate, but never 0: a length, perhaps of a mirrored axis.

@@ -24,8 +24,10 @@ bool same(const Placement& a, const Placement& b) {
 bool same(const CsgNode& a, const CsgNode& b) {
   if (a.number != b.number || a.name != b.name || a.composite != b.composite) return false;
   if (a.composite) return a.operation == b.operation && a.left == b.left && a.right == b.right;
-  return a.kind == b.kind && a.surfaces == b.surfaces && a.surface_per_face == b.surface_per_face &&
-         same(a.placement, b.placement);
+  return a.kind == b.kind &&
+         std::equal(a.surfaces.begin(), a.surfaces.begin() + face_count(a.kind),
+                    b.surfaces.begin()) &&
+         a.surface_per_face == b.surface_per_face && same(a.placement, b.placement);
 }
 
 bool same(const Coefficients& a, const Coefficients& b) {
