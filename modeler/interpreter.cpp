@@ -106,7 +106,8 @@ Reply Interpreter::obey(std::string_view line) {
       return commit(number(solids_, name, slot), fmt::format("{}: number {}", name, slot.number));
     }
     case Command::load: {
-      const std::string name = arguments.next(), file = arguments.next();
+      const std::string name = arguments.next();
+      const std::filesystem::path file = file_word(arguments);
       arguments.end();
       Changes changes = load(name, file);
       // What is read is kept in that file.

@@ -37,6 +37,10 @@ struct Outlet {
   std::function<void(const std::filesystem::path& file, const Planes& picture)> write_picture;
   /// A picture in coloured characters, of so many columns.
   std::function<std::string(const Planes& picture, int columns)> draw;
+  /// Where a file is that a command names; the working folder's by default. Throws FileError or
+  /// CommandError for one that is out of reach.
+  std::function<std::filesystem::path(const std::string& named)> locate =
+      [](const std::string& named) { return std::filesystem::path(named); };
   /// Columns of the terminal.
   std::function<int()> columns = [] { return 80; };
   std::stop_token stop;  ///< ends a long show or inspect; no command is begun after it
@@ -161,6 +165,7 @@ class Interpreter {
   Reply noted(const Arguments& words, const std::filesystem::path& file, Reply reply,
               const std::optional<CameraFile>& used);
   void follow(const Changes& changes, bool back);
+  std::filesystem::path file_word(Arguments& words) const;
   void require_writable(const std::filesystem::path& file) const;
   std::vector<std::filesystem::path> being_read() const;
 

@@ -69,13 +69,13 @@ Reply Interpreter::camera_command(Arguments& words) {
   switch (value_of(camera_words(), words.peek(), "word of camera")) {
     case CameraWord::load: {
       words.next();
-      TextFile file = read(words.next(), "CAM");
+      TextFile file = read(file_word(words), "CAM");
       words.end();
       return set_camera(read_camera(file), "camera: that of " + file.name());
     }
     case CameraWord::save: {
       words.next();
-      const std::filesystem::path file = file_to_write(words.next(), "CAM");
+      const std::filesystem::path file = file_to_write(file_word(words), "CAM");
       words.end();
       require_writable(file);
       write(file, camera_text(camera()));

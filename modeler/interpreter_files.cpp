@@ -29,6 +29,8 @@ void Interpreter::protect(const Path& file) {
 
 void Interpreter::release(const Path& file) { released_.push_back(file); }
 
+Path Interpreter::file_word(Arguments& words) const { return outlet_.locate(words.next()); }
+
 void Interpreter::require_writable(const Path& file) const {
   if (repeated_ != nullptr) return;
   for (const Path& input : protected_) refuse_same_file(file, input);
@@ -36,7 +38,7 @@ void Interpreter::require_writable(const Path& file) const {
 
 Reply Interpreter::save(Arguments& words) {
   const std::string name = words.next();
-  const Path given = words.next();
+  const Path given = file_word(words);
   words.end();
   const EntryPtr solid = require(solids_, name);
   const Node& tree = *solid->solid.tree();

@@ -105,7 +105,7 @@ Reply Interpreter::light_command(Arguments& words) {
       return all(std::move(lighting), "light: set");
     }
     case LightWord::load: {
-      TextFile file = read(words.next(), "LUZ");
+      TextFile file = read(file_word(words), "LUZ");
       const Lighting lighting = read_lighting(file);
       Reply reply = all(lighting, "light: that of " + file.name());
       saved_light_ = light_line(lighting);
@@ -113,7 +113,7 @@ Reply Interpreter::light_command(Arguments& words) {
     }
     case LightWord::made_up: return all(std::nullopt, "light: made up");
     case LightWord::save: {
-      const std::filesystem::path file = file_to_write(words.next(), "LUZ");
+      const std::filesystem::path file = file_to_write(file_word(words), "LUZ");
       words.end();
       require_writable(file);
       write(file, lighting_text(now));

@@ -94,10 +94,10 @@ Reply Interpreter::show(Arguments& words) {
   while (words.left() > 0) {
     const std::string word = words.next();
     if (is_word(word, "--shaded", "--sombreado")) wanted.shaded = true;
-    else if (is_word(word, "--scene", "--cena")) wanted.base = base_of(words.next());
+    else if (is_word(word, "--scene", "--cena")) wanted.base = base_of(file_word(words).string());
     else if (is_word(word, "--size", "--tamanho")) wanted.size = size_of(words.next());
     else if (word.starts_with("--") || !wanted.file.empty()) words.fail();
-    else wanted.file = word;
+    else wanted.file = outlet_.locate(word).string();
   }
   const EntryPtr solid = require(solids_, wanted.name);
   const Node& tree = *solid->solid.tree();

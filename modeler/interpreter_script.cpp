@@ -90,7 +90,7 @@ std::vector<Path> Interpreter::being_read() const {
 Reply Interpreter::script_command(Arguments& words) {
   if (words.left() == 0) return {text_of(script()), {}, {}, false};
   const ScriptWord word = value_of(script_words(), words.next(), "word of script");
-  const Path file = words.next();
+  const Path file = file_word(words);
   words.end();
   return word == ScriptWord::load ? load_script(file) : save_script(file);
 }

@@ -37,7 +37,7 @@ Reply Interpreter::surfaces_command(Arguments& words) {
   }
   switch (value_of(surfaces_words(), words.next(), "word of surfaces")) {
     case SurfacesWord::load: {
-      TextFile file = read(words.next(), "SUP");
+      TextFile file = read(file_word(words), "SUP");
       words.end();
       const std::vector<Surface> described = read_surfaces(file);
       LookChanges changes;
@@ -52,7 +52,7 @@ Reply Interpreter::surfaces_command(Arguments& words) {
       return reply;
     }
     case SurfacesWord::save: {
-      const std::filesystem::path file = file_to_write(words.next(), "SUP");
+      const std::filesystem::path file = file_to_write(file_word(words), "SUP");
       words.end();
       require_writable(file);
       std::string text = surfaces_text(looks_.surface_list());

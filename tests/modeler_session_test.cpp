@@ -169,6 +169,34 @@ TEST_F(Session, APointInAScriptsNameMakesNoSuffix) {
   EXPECT_TRUE(has("a"));
 }
 
+// Every command that names a file asks where it is.
+TEST_F(Session, FilesAreWhereTheOutletSaysTheyAre) {
+  modeler::Outlet outlet;
+  std::vector<std::string> asked;
+  outlet.locate = [&](const std::string& named) {
+    if (named.starts_with("/")) throw modeler::CommandError("out of reach");
+    asked.push_back(named);
+    return folder / named;
+  };
+  outlet.write_picture = [this](const std::filesystem::path& path, const Planes&) {
+    written_to = path;
+  };
+  interpreter = modeler::Interpreter(outlet);
+  say_all({"create a cube 1", "surface 1 ambient 0.5", "save a S.CSG", "camera save S.CAM",
+           "light save S.LUZ", "surfaces save S.SUP", "script save S.model",
+           "show a P.png --shaded --size 2x2 --scene S", "load b S.CSG", "camera load S.CAM",
+           "light load S.LUZ", "surfaces load S.SUP", "delete a", "delete b"});
+  say("script load S.model");
+  EXPECT_EQ(written_to, folder / "P.png");
+  EXPECT_THAT(folder.list(), testing::ElementsAre("S.CAM", "S.CSG", "S.LUZ", "S.SUP", "S.model"));
+  EXPECT_GE(asked.size(), 12u);
+  for (const char* line :
+       {"save a /x", "load c /x", "camera save /x", "camera load /x", "light save /x",
+        "light load /x", "surfaces save /x", "surfaces load /x", "script save /x", "script load /x",
+        "show a /x.png", "show a P.png --scene /x"})
+    expect_refused(line, "out of reach");
+}
+
 TEST_F(Session, AScriptIsDoneWhollyOrNotAtAll) {
   folder.write("part.model",
                "create part cube 1\nlist\ncamera turn 0.1 0\ncamera zoom 1\nquit\nnonsense\n");

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "eltek/screen.h"
 #include "tracer/atomic_file.h"
@@ -33,5 +35,8 @@ void write_indexed_png(AtomicFile& output, const eltek::IndexedScreen& screen);
 /// one with a pixel that is not fully opaque. Memory goes with the pixels that the
 /// file has, not with those that it announces; chunks beside them are skipped.
 Planes read_png(const std::filesystem::path& path);
+
+/// The same from memory; `name` stands for the file in errors.
+Planes parse_png(const std::string& name, std::span<const std::uint8_t> bytes);
 
 }  // namespace sir::viewer

@@ -6,8 +6,10 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
-#include <vector>
+#include <system_error>
+#include <utility>
 
 #include "tracer/error.h"
 #include "tracer/limits.h"
@@ -21,7 +23,7 @@ namespace {
 struct Header {
   png_uint_32 width = 0, height = 0;
   int colour_type = 0;
-  bool interlaced = false;
+  int passes = 1;           ///< over all rows
   std::uint64_t bits = 0;   ///< a pixel's in the file
   std::size_t samples = 0;  ///< a pixel's bytes as read: 1 palette index, 3 RGB or 4 RGBA
   std::size_t entries = 0;
@@ -31,8 +33,10 @@ struct Header {
 
 class PngReader {
  public:
-  explicit PngReader(const std::filesystem::path& path)
-      : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
+  /// `file`, of so many `bytes` where that is known, may be null, errno then says why; it is closed
+  /// at the end.
+  PngReader(std::string name, std::FILE* file, std::optional<std::uintmax_t> bytes)
+      : name_(std::move(name)), bytes_(bytes), file_(file, &std::fclose) {
     if (!file_) fail(std::string("cannot be read: ") + std::strerror(errno));
     check_signature();
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reason_, on_png_error, on_png_warning);
@@ -55,16 +59,14 @@ class PngReader {
     const std::size_t row_bytes = header_.width * header_.samples;
     planes_.size = {static_cast<int>(header_.width), static_cast<int>(header_.height)};
     for (auto& plane : planes_.channel) plane.reserve(planes_.size.pixels());
-    if (header_.interlaced) read_interlaced(row_bytes);
+    if (header_.passes > 1) read_interlaced(row_bytes);
     else read_rows(row_bytes);
     attempt([&] { png_read_end(png_, nullptr); });
     return std::move(planes_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& reason) const {
-    throw FileError(path_.string(), 0, reason);
-  }
+  [[noreturn]] void fail(const std::string& reason) const { throw FileError(name_, 0, reason); }
 
   template <class Step>
   void attempt(const Step& step) {
@@ -80,10 +82,8 @@ class PngReader {
     if (pixels > limits().pixels)
       fail("an image of " + size +
            " is too large: " + at_most(limits().pixels, "pixels", "--max-pixels"));
-    std::error_code no_file;
-    const std::uint64_t bytes = std::filesystem::file_size(path_, no_file);
-    if (!no_file && pixels * header_.bits / 8 / kDeflate > bytes)
-      fail("is a damaged PNG file: its " + std::to_string(bytes) + " bytes cannot hold " + size +
+    if (bytes_ && pixels * header_.bits / 8 / kDeflate > *bytes_)
+      fail("is a damaged PNG file: its " + std::to_string(*bytes_) + " bytes cannot hold " + size +
            " pixels");
   }
 
@@ -108,11 +108,11 @@ class PngReader {
   void read_interlaced(std::size_t row_bytes) {
     // Not zeroed: a forged header must not cost memory that no pixel fills.
     pixels_ = std::make_unique_for_overwrite<png_byte[]>(row_bytes * header_.height);
-    rows_.resize(header_.height);
-    for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j] = &pixels_[j * row_bytes];
+    // Without a list of rows, whose length a forged header would say.
     attempt([&] {
-      for (int pass = 0; pass < PNG_INTERLACE_ADAM7_PASSES; ++pass)
-        for (png_bytep row : rows_) read_row(row, row_bytes);
+      for (int pass = 0; pass < header_.passes; ++pass)
+        for (std::size_t j = 0; j < header_.height; ++j)
+          read_row(&pixels_[j * row_bytes], row_bytes);
     });
     keep(pixels_.get(), planes_.size.pixels());
   }
@@ -145,10 +145,9 @@ class PngReader {
     png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_read_info(png_, info_);
-    int bits = 0, interlacing = 0;
-    png_get_IHDR(png_, info_, &header_.width, &header_.height, &bits, &header_.colour_type,
-                 &interlacing, nullptr, nullptr);
-    header_.interlaced = interlacing != PNG_INTERLACE_NONE;
+    int bits = 0;
+    png_get_IHDR(png_, info_, &header_.width, &header_.height, &bits, &header_.colour_type, nullptr,
+                 nullptr, nullptr);
     header_.bits = static_cast<std::uint64_t>(bits) * png_get_channels(png_, info_);
     const bool transparency = png_get_valid(png_, info_, PNG_INFO_tRNS) != 0;
     if (header_.colour_type == PNG_COLOR_TYPE_PALETTE) {
@@ -160,7 +159,7 @@ class PngReader {
       png_set_scale_16(png_);
       png_set_gray_to_rgb(png_);
     }
-    png_set_interlace_handling(png_);
+    header_.passes = png_set_interlace_handling(png_);
   }
 
   void read_palette(bool transparency) {
@@ -216,7 +215,8 @@ class PngReader {
     std::size_t left = kNoLimit;  // bytes that may be read
   };
 
-  std::filesystem::path path_;
+  std::string name_;
+  std::optional<std::uintmax_t> bytes_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   Input input_{file_.get()};
   PngReason reason_;
@@ -224,12 +224,23 @@ class PngReader {
   png_infop info_ = nullptr;
   Header header_;
   std::unique_ptr<png_byte[]> pixels_;  // of a row, or of all
-  std::vector<png_bytep> rows_;
   Planes planes_;
 };
 
 }  // namespace
 
-Planes read_png(const std::filesystem::path& path) { return PngReader(path).read(); }
+Planes read_png(const std::filesystem::path& path) {
+  std::error_code unknown;  // as of a pipe
+  const std::uintmax_t bytes = std::filesystem::file_size(path, unknown);
+  return PngReader(path.string(), std::fopen(path.c_str(), "rb"),
+                   unknown ? std::nullopt : std::optional(bytes))
+      .read();
+}
+
+Planes parse_png(const std::string& name, std::span<const std::uint8_t> bytes) {
+  // A stream of the system's, so that both ways read alike; it is never written to.
+  auto* start = const_cast<std::uint8_t*>(bytes.data());
+  return PngReader(name, ::fmemopen(start, bytes.size(), "rb"), bytes.size()).read();
+}
 
 }  // namespace sir::viewer
