@@ -90,7 +90,7 @@ TEST_F(ModelRecover, WhatWasDoneBeforeItWasKilledIsThereAgain) {
       ASSERT_TRUE(terminal.wait_for("1 session can be recovered; the last: in "));
       terminal.type("recover\n");
     }
-    ASSERT_TRUE(terminal.wait_for("\r\nrecovered: ")) << terminal.shown();
+    ASSERT_TRUE(terminal.wait_for("recovered: ")) << terminal.shown();
     finish_with(terminal, "script save " + (folder / "again").string());
     const std::string again = folder.read("again.model");
     const std::vector<std::string> possible(scripts.begin() + static_cast<std::ptrdiff_t>(sure),
@@ -115,7 +115,7 @@ TEST_F(ModelRecover, WhoeverHangsUpFindsItAgain) {
     const std::vector<std::string> names = journals();
     ASSERT_EQ(names.size(), 1u);
     AtTerminal terminal({"model", "--recover", names[0]}, folder.path(), 80);
-    ASSERT_TRUE(terminal.wait_for("\r\nrecovered: 1 command of "));
+    ASSERT_TRUE(terminal.wait_for("recovered: 1 command of "));
     finish_with(terminal, "list");
     EXPECT_THAT(terminal.shown(), HasSubstr("\"bola\": sphere"));
     finish_with(terminal, "quit");

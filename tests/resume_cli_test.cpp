@@ -237,18 +237,28 @@ TEST_F(Resume, AFullDiskIsToldOnceAndTheRenderGoesOn) {
   EXPECT_EQ(folder.read("s.R").size(), 3'072u);
 }
 
-// The image is traced, and there is no room for it: nothing that was traced is lost.
+// The image is traced, and its place was taken meanwhile: nothing that was traced is lost.
 TEST_F(Resume, WhatCannotBeWrittenIsContinuedWithRoom) {
-  std::filesystem::create_directory(folder / "s.G");
-  const Words words = {"render", "s", "--size", "128x96", "--keep-after", "0", "-v"};
-  const Ended failed = sir(words);
-  EXPECT_EQ(failed.exit_code, 1);
-  EXPECT_THAT(failed.err, HasSubstr("--resume continues"));
-  std::filesystem::remove(folder / "s.G");
-  const Ended ended = sir(with(words, {"--resume"}));
-  EXPECT_EQ(ended.exit_code, 0);
-  EXPECT_THAT(ended.err, HasSubstr("12 tiles taken over, 0 rendered"));
-  EXPECT_FALSE(folder.has("s.tiles"));
+  const Words words =
+      with({"render", SIR_IMAGES "/calice", "--out", "out", "--keep-after", "0", "-v"}, kLong);
+  interrupted_in_time([&] {
+    Start start;
+    start.folder = folder.path();
+    Program program(SIR_PROGRAM, words, start);
+    EXPECT_TRUE(test::eventually([&] { return folder.has("out/calice.R") || record_size() > 0; }));
+    std::error_code there;
+    std::filesystem::create_directory(folder / "out/calice.G", there);
+    const Ended failed = program.finish();
+    if (failed.exit_code == 0) return false;
+    EXPECT_EQ(failed.exit_code, 1);
+    EXPECT_THAT(failed.err, HasSubstr("--resume continues"));
+    std::filesystem::remove(folder / "out/calice.G");
+    const Ended ended = sir(with(words, {"--resume"}));
+    EXPECT_EQ(ended.exit_code, 0);
+    EXPECT_THAT(ended.err, HasSubstr(" taken over, 0 rendered"));
+    EXPECT_EQ(record_size(), 0u);
+    return true;
+  });
 }
 
 TEST_F(Resume, AShortRenderLeavesNoRecordBehind) {
