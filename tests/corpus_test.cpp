@@ -69,11 +69,8 @@ TEST_P(Corpus, IsPlayedWithoutAFinding) {
 // Any input is fine, nothing at all too.
 TEST_P(Corpus, NothingIsAnInput) { EXPECT_NO_THROW(GetParam().play({})); }
 
-// gtest prints parameters where a test fails.
-void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
-
 INSTANTIATE_TEST_SUITE_P(Of, Corpus, testing::ValuesIn(kTargets),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace sir::fuzz
