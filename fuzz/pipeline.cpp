@@ -60,9 +60,9 @@ RenderOptions options_of(ByteSource& source) {
 void play_pipeline(Bytes bytes) {
   ByteSource source(bytes);
   const RenderOptions options = options_of(source);
-  const bool by_eye = source.flag();
+  const int method = source.below(kMethods);
   const auto scene = through_files(made_scene(source));
-  if (scene) show_by_every_method(image_by_all_engines(*scene, options), by_eye);
+  if (scene) show_by_method(image_by_all_engines(*scene, options), method);
 }
 
 }  // namespace sir::fuzz

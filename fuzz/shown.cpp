@@ -14,6 +14,9 @@
 namespace sir::fuzz {
 namespace {
 
+constexpr int kThesisMethods = 4;
+static_assert(kMethods == kThesisMethods + 2);
+
 void check_file(const quant::Lut& lut) {
   TextFile file("made.LUT", quant::lut_text(lut));
   const quant::Lut again = quant::read_lut(file);
@@ -53,25 +56,25 @@ void show(const Planes& image, const quant::Lut& lut) {
 
 }  // namespace
 
-void show_by_every_method(const Planes& image, bool by_eye) {
+void show_by_method(const Planes& image, int method) {
+  if (method >= kThesisMethods) {
+    quant::WeightedColours colours;
+    colours.add(image);
+    quant::BestOptions options;
+    options.goal = method % 2 == 0 ? quant::Goal::perceptual : quant::Goal::psnr;
+    options.effort = quant::kMinEffort;
+    show(image, quant::choose_best(colours, options).lut);
+    return;
+  }
+  quant::ChooseOptions options;
+  options.method = method / 2 == 0 ? quant::Method::frequency : quant::Method::median;
+  options.space = method % 2 == 0 ? quant::Space::rgb : quant::Space::hsv;
+  const quant::Lut lut = quant::choose_lut(image, options);
   const quant::CellCounts cells = quant::occupied_cells(image);
-  for (const auto method : {quant::Method::frequency, quant::Method::median})
-    for (const auto space : {quant::Space::rgb, quant::Space::hsv}) {
-      quant::ChooseOptions options;
-      options.method = method;
-      options.space = space;
-      const quant::Lut lut = quant::choose_lut(image, options);
-      const std::size_t occupied = space == quant::Space::rgb ? cells.rgb : cells.hsv;
-      if (occupied <= quant::kLutEntries)
-        require(lut.chosen == occupied, "no more cells than entries: an entry for each");
-      show(image, lut);
-    }
-  quant::WeightedColours colours;
-  colours.add(image);
-  quant::BestOptions options;
-  options.goal = by_eye ? quant::Goal::perceptual : quant::Goal::psnr;
-  options.effort = quant::kMinEffort;
-  show(image, quant::choose_best(colours, options).lut);
+  const std::size_t occupied = method % 2 == 0 ? cells.rgb : cells.hsv;
+  if (occupied <= quant::kLutEntries)
+    require(lut.chosen == occupied, "no more cells than entries: an entry for each");
+  show(image, lut);
 }
 
 }  // namespace sir::fuzz
