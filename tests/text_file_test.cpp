@@ -1,5 +1,5 @@
-#include "tracer/limits.h"
 #include "tracer/text_file.h"
+#include "tracer/limits.h"
 
 #include <gtest/gtest.h>
 
