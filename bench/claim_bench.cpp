@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <span>
 #include <string>
 
 #include "bench/timing.h"
@@ -40,9 +41,14 @@ void tell_many(const std::filesystem::path& base) {
                                 {0.9, 0.4, 0.05}, {0.05, 0.6, 0.6}, {0.8, 0.1, 0.5}};
   const std::pair<double, double> places[] = {{-1.6, 0.6}, {0.2, 1.5}, {-2.6, -3}};
   std::map<const char*, Tally> tallies;
-  for (const double radius : {0.06, 0.08, 0.1, 0.15, 0.25})
+  const double radii[] = {0.06, 0.08, 0.1, 0.15, 0.25};
+  const auto some = [](const auto& all) {
+    const int count = bench::rounds(static_cast<int>(std::size(all)));
+    return std::span(all).first(static_cast<std::size_t>(count));
+  };
+  for (const double radius : some(radii))
     for (const auto& [x, z] : places)
-      for (const glm::dvec3& colour : colours)
+      for (const glm::dvec3& colour : some(colours))
         for (const ImageSize size : {ImageSize{320, 240}, ImageSize{640, 480}}) {
           const test::BallImage scene(base, {colour, radius, x, z}, size);
           for (const auto& [order, name] : kOrders) {

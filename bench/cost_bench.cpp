@@ -21,7 +21,7 @@ namespace {
 using namespace sir;
 using namespace sir::bench;
 
-constexpr int kRounds = 3;
+const int kRounds = sir::bench::rounds(3);
 
 // The cures of thesis 2.5.2 on the plain algorithm; then what SIR has instead of them, one on top
 // of the other.

@@ -31,7 +31,7 @@ using sir::bench::milliseconds;
 using sir::eltek::Bus;
 using sir::eltek::Ma120;
 
-constexpr int kRounds = 101;
+const int kRounds = sir::bench::rounds(101);
 constexpr int kWidth = Ma120::kSize.width, kHeight = Ma120::kSize.height;
 
 // All indices, in no order that a cache or a predictor could like.

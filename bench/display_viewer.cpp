@@ -21,7 +21,7 @@ namespace {
 using viewer::Command;
 using viewer::Viewer;
 
-constexpr int kRounds = 101;
+const int kRounds = sir::bench::rounds(101);
 
 /// Many colours, and none of them in an order that a predictor could like.
 Planes picture(ImageSize size) {

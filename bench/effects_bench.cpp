@@ -17,7 +17,7 @@ namespace {
 
 using namespace sir;
 
-constexpr int kRounds = 15;
+const int kRounds = sir::bench::rounds(15);
 
 template <typename Work>
 double processor_ms(Work work) {

@@ -18,7 +18,7 @@ namespace {
 using sir::bench::median;
 using namespace sir;
 
-constexpr int kPairs = 7;
+const int kPairs = sir::bench::rounds(7);
 
 // A union of n random primitives, as a left-deep chain or a balanced tree.
 Scene cloud(int n, bool chain) {

@@ -19,7 +19,7 @@ namespace {
 using sir::viewer::ModelDesk;
 using sir::viewer::ModelWindow;
 
-constexpr int kRuns = 41;
+const int kRuns = sir::bench::rounds(41);
 
 void measure(const char* name, const std::vector<std::string>& commands, const char* dragged) {
   ModelWindow window({}, [&](ModelDesk& desk) {

@@ -1,7 +1,7 @@
 // How long the modeler takes for long scripts, and what they keep in memory: transforms of one
 // primitive and of a large composite, chains of combinations, edits of parts; each also with every
-// second command an undo, after half as many without. `modeler_bench [COMMANDS]`, 100,000 if not
-// told.
+// second command an undo, after half as many without, and with a journal, as at the prompt, in the
+// folder for temporary files (TMPDIR). `modeler_bench [COMMANDS]`, 100,000 if not told.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,19 +9,22 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "bench/timing.h"
 #include "modeler/interpreter.h"
+#include "modeler/keeper.h"
 
 namespace {
 
 using sir::modeler::Interpreter;
 
-constexpr int kRuns = 3;
+const int kRuns = sir::bench::rounds(3);
 constexpr int kPrimitives = 1000;  // of the composite: 1,999 nodes
 
 // A composite c, its primitives in rows and its tree as flat as can be.
@@ -73,6 +76,8 @@ constexpr Kind kKinds[] = {
     {"paint parts", make_composite, [](int i) { return "edit c " + place(i) + " paint 4"; }},
 };
 
+enum class Way { plain, undoing, kept };
+
 struct Cost {
   double seconds = 0, megabytes = 0;
 };
@@ -83,11 +88,21 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-Cost run(const Kind& kind, int commands, bool undoing) {
+std::filesystem::path new_folder() {
+  std::string name = (std::filesystem::temp_directory_path() / "modeler-bench-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  return name;
+}
+
+Cost run(const Kind& kind, int commands, Way way) {
+  const bool undoing = way == Way::undoing;
   Interpreter session;
   kind.prepare(session);
   const int first = undoing ? commands / 2 : 0;
   for (int i = 0; i < first; ++i) session.execute(kind.command(i));
+  std::filesystem::path folder;
+  std::optional<sir::modeler::Keeper> keeper;
+  if (way == Way::kept) keeper.emplace(session, folder = new_folder());
   const double before = peak_megabytes();
   Cost cost;
   cost.seconds = sir::bench::milliseconds([&] {
@@ -98,17 +113,19 @@ Cost run(const Kind& kind, int commands, bool undoing) {
                  }) /
                  1000;
   cost.megabytes = peak_megabytes() - before;
+  keeper.reset();
+  if (!folder.empty()) std::filesystem::remove_all(folder);
   return cost;
 }
 
 // In a process of its own, whose memory is this run's alone.
-Cost run_alone(const Kind& kind, int commands, bool undoing) {
+Cost run_alone(const Kind& kind, int commands, Way way) {
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
   std::fflush(stdout);
   const pid_t child = ::fork();
   if (child == 0) {
-    const Cost cost = run(kind, commands, undoing);
+    const Cost cost = run(kind, commands, way);
     const bool told = ::write(ends[1], &cost, sizeof cost) == sizeof cost;
     ::_exit(told ? 0 : 1);
   }
@@ -128,18 +145,19 @@ int main(int count, char** words) try {
   const int commands = count > 1 ? std::atoi(words[1]) : 100'000;
   std::printf("%d commands; a composite has %d nodes; median of %d\n", commands,
               2 * kPrimitives - 1, kRuns);
-  std::printf("%-24s %10s %8s %16s\n", "", "s", "MB", "with undo: s");
+  std::printf("%-24s %10s %8s %16s %10s\n", "", "s", "MB", "with undo: s", "kept: s");
   for (const Kind& kind : kKinds) {
-    std::vector<double> seconds, megabytes, undoing;
+    std::vector<double> seconds, megabytes, undoing, kept;
     for (int i = 0; i < kRuns; ++i) {
-      const Cost cost = run_alone(kind, commands, false);
+      const Cost cost = run_alone(kind, commands, Way::plain);
       seconds.push_back(cost.seconds);
       megabytes.push_back(cost.megabytes);
-      undoing.push_back(run_alone(kind, commands, true).seconds);
+      undoing.push_back(run_alone(kind, commands, Way::undoing).seconds);
+      kept.push_back(run_alone(kind, commands, Way::kept).seconds);
     }
     using sir::bench::median;
-    std::printf("%-24s %10.3f %8.1f %16.3f\n", kind.name, median(seconds), median(megabytes),
-                median(undoing));
+    std::printf("%-24s %10.3f %8.1f %16.3f %10.3f\n", kind.name, median(seconds), median(megabytes),
+                median(undoing), median(kept));
   }
   return 0;
 } catch (const std::exception& error) {

@@ -27,7 +27,7 @@ using sir::bench::milliseconds;
 using sir::quant::Lut;
 using sir::quant::Mapping;
 
-constexpr int kPairs = 15;
+const int kPairs = sir::bench::rounds(15);
 
 struct Picture {
   std::string name;
@@ -71,7 +71,7 @@ bool compare(const Picture& picture) {
 
 /// The same by the eye; a few pairs, as the definition takes seconds.
 bool compare_by_eye(const Picture& picture) {
-  constexpr int kFewPairs = 3;
+  const int kFewPairs = sir::bench::rounds(3);
   sir::quant::WeightedColours colours;
   colours.add(picture.planes);
   const Lut lut = sir::quant::choose_best(colours).lut;

@@ -21,7 +21,7 @@ using namespace sir;
 using sir::bench::median;
 using sir::bench::milliseconds;
 
-constexpr int kPairs = 7;
+const int kPairs = sir::bench::rounds(7);
 
 void look_at(Scene& scene) {
   scene.camera = {{4.4, 4.4}, {0, 0, 0}, {0.2, -0.3, -1}, 8, {0, 1, 0}, false, 8, false};

@@ -36,7 +36,7 @@ using sir::Planes;
 using sir::bench::child_cpu_seconds;
 using sir::bench::median;
 
-constexpr int kRounds = 15;
+const int kRounds = sir::bench::rounds(15);
 constexpr int kCalls = 5;  // of our functions in a round: one is too short for the clock
 
 constexpr double kMostOfChoice = 0.3, kMostOfProcesses = 0.5;

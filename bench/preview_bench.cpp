@@ -18,7 +18,7 @@ namespace {
 using namespace sir::modeler;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kRuns = 21;
+const int kRuns = sir::bench::rounds(21);
 
 // A preview that can be waited for.
 class Watched {

@@ -23,7 +23,7 @@ using sir::bench::milliseconds;
 using namespace sir::quant;
 using sir::Planes;
 
-constexpr int kRounds = 31;
+const int kRounds = sir::bench::rounds(31);
 
 struct Contender {
   const char* name;

@@ -16,7 +16,8 @@ namespace {
 using namespace sir;
 using bench::median;
 
-constexpr int kRays = 100'000, kRounds = 15;
+constexpr int kRays = 100'000;
+const int kRounds = sir::bench::rounds(15);
 constexpr const char* kNames[] = {"cube", "sphere", "cone", "cylinder"};
 
 Placement turned(std::mt19937_64& random) {

@@ -18,7 +18,7 @@ namespace {
 using sir::bench::median;
 using namespace sir;
 
-constexpr int kRounds = 7;
+const int kRounds = sir::bench::rounds(7);
 
 struct Choice {
   std::string name;

@@ -54,7 +54,7 @@ Waits open_once(const char* base) {
 }  // namespace
 
 int main(int count, char** words) try {
-  constexpr int kRuns = 11;
+  const int kRuns = sir::bench::rounds(11);
   const char* base = count > 1 ? words[1] : "images/whitted";
   std::vector<double> first, through_lut, whole, best;
   for (int i = 0; i < kRuns; ++i) {

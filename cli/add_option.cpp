@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "cli/option_values.h"
+#include "tracer/limits.h"
 #include "tracer/text_file.h"
 
 namespace sir::cli {
@@ -26,8 +27,22 @@ CLI::Option* add_number(CLI::App* app, const std::string& name, double& value, d
 }
 
 void add_size(CLI::App* app, ImageSize& size, const std::string& help) {
-  add_parsed(app, "--size", size, parse_size,
-             {"WxH", "WxH, both positive, at most 2^28 pixels in all"}, help);
+  app->add_option_function<std::string>(
+         "--size",
+         [&size](const std::string& text) {
+           ImageSize parsed;
+           if (!parse_size(text, parsed))
+             throw CLI::ValidationError(
+                 "--size",
+                 fmt::format("\"{}\" is not WxH, both positive, at most 2^28 pixels in all", text));
+           if (parsed.pixels() > limits().pixels)
+             throw CLI::ValidationError(
+                 "--size", fmt::format("{} is too large: {}", text,
+                                       at_most(limits().pixels, "pixels", "--max-pixels")));
+           size = parsed;
+         },
+         help)
+      ->type_name("WxH");
 }
 
 }  // namespace sir::cli

@@ -16,7 +16,7 @@
 #include "cli/image_input.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "tracer/atomic_file.h"
+#include "tracer/atomic_files.h"
 #include "tracer/error.h"
 #include "tracer/scene_file.h"
 #include "tracer/scene_path.h"
@@ -119,6 +119,8 @@ int run_cost(const CostOptions& options, const Session& session) {
   for (const auto& output : {options.csv, options.html})
     if (output)
       for (const auto& input : options.inputs) refuse_input_file(*output, input);
+  for (const auto& output : {options.csv, options.html})
+    if (output) require_writable(*output);
   CostReport report;
   report.threads = options.threads > 0
                        ? options.threads
@@ -131,16 +133,16 @@ int run_cost(const CostOptions& options, const Session& session) {
     if (!image) return kInterrupted;
     report.images.push_back(std::move(*image));
   }
-  if (options.csv) {
-    write_file_atomically(*options.csv, cost_csv(report));
-    note(session, "wrote " + options.csv->string());
-  }
+  AtomicFiles together;
+  if (options.csv) together.add(*options.csv).write(cost_csv(report));
   if (options.html) {
     const auto page = cost_html(report);
     if (!page.missing.empty()) note(session, page.missing);
-    write_file_atomically(*options.html, page.text);
-    note(session, "wrote " + options.html->string());
+    together.add(*options.html).write(page.text);
   }
+  together.commit();
+  for (const auto& output : {options.csv, options.html})
+    if (output) note(session, "wrote " + output->string());
   print(options.json ? cost_json(report) : cost_text(report));
   return all_answered(report) ? kDone : kThreshold;
 }

@@ -6,9 +6,9 @@
 
 namespace sir::cli {
 
-/// Makes SIGINT and SIGTERM request a stop (a second one ends the program at
-/// once, its temporary files removed) and writing to a closed pipe an error
-/// instead of a signal.
+/// Makes SIGINT, SIGTERM and SIGHUP request a stop (a second one ends the
+/// program at once, its temporary files removed) and writing to a closed pipe
+/// an error instead of a signal. Under nohup, SIGHUP stays ignored.
 void install_signal_handlers();
 
 /// A token that is stopped by those signals.

@@ -19,11 +19,13 @@ bool for_each_line(int descriptor,
   std::string rest;  // of a line whose end has not come yet
   bool too_long = false;
   const auto keep = [&](std::string_view part) {
-    too_long = too_long || rest.size() + part.size() > kLongestLine;
+    if (too_long) return;
+    too_long = rest.size() + part.size() > kLongestLine;
     if (!too_long) rest.append(part);
+    else answer({}, true);  // now: its end may never come
   };
   const auto finish = [&] {
-    answer(rest, too_long);
+    if (!too_long) answer(rest, false);
     rest.clear();
     too_long = false;
   };
@@ -44,7 +46,7 @@ bool for_each_line(int descriptor,
     keep(piece);
     flush();
   }
-  if (!rest.empty() || too_long) finish();
+  if (!rest.empty()) finish();
   flush();
   return true;
 }

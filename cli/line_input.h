@@ -12,7 +12,8 @@ namespace sir::cli {
 inline constexpr std::size_t kLongestLine = std::size_t{1} << 16;
 
 /// Calls `answer` for each line read from the descriptor, without its end;
-/// too_long stands for a line of more than kLongestLine bytes. Calls `flush`
+/// too_long stands for a line of more than kLongestLine bytes, of which nothing
+/// is given, as soon as it is that long. Calls `flush`
 /// whenever more has to be waited for, so that one who asks line by line gets
 /// each answer at once, and at the end. False where a signal ended it. Throws
 /// FileError where reading fails.

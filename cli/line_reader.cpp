@@ -3,10 +3,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 
 #include "cli/input_wait.h"
 #include "cli/session.h"
+#include "modeler/state_folder.h"
+#include "tracer/error.h"
 
 namespace sir::cli {
 namespace {
@@ -41,21 +42,14 @@ std::unique_ptr<LineReader> make_plain_reader(const LineOptions& options) {
 }
 
 std::filesystem::path history_file() {
-  const auto variable = [](const char* name) -> std::filesystem::path {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-  };
-  std::filesystem::path folder = variable("XDG_STATE_HOME");
-  // The convention has it that a relative path counts for nothing.
-  if (!folder.is_absolute()) {
-    const std::filesystem::path home = variable("HOME");
-    if (!home.is_absolute()) return {};
-    folder = home / ".local" / "state";
+  const std::filesystem::path folder = modeler::state_folder();
+  if (folder.empty()) return {};
+  try {
+    modeler::make_state_folder(folder);
+  } catch (const FileError&) {
+    return {};  // lines are not kept, then
   }
-  folder /= "sir";
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  return failure ? std::filesystem::path() : folder / "history";
+  return folder / "history";
 }
 
 }  // namespace sir::cli

@@ -1,19 +1,25 @@
 // The only user of libedit.
 #include <histedit.h>
 #include <langinfo.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <cwchar>
+#include <memory>
 #include <string_view>
 
 #include "cli/input_wait.h"
 #include "cli/interrupt.h"
 #include "cli/line_reader.h"
+#include "tracer/atomic_file.h"
+#include "tracer/error.h"
 #include "viewer/terminal.h"
 
 namespace sir::cli {
@@ -51,9 +57,7 @@ class EditingReader : public LineReader {
     el_set(editor_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
   }
   ~EditingReader() override {
-    HistEvent event;
-    if (history_ != nullptr && !options_.history.empty())
-      ::history(history_, &event, H_SAVE, options_.history.c_str());
+    if (history_ != nullptr && !options_.history.empty()) save_history();
     if (editor_ != nullptr) el_end(editor_);
     if (history_ != nullptr) history_end(history_);
   }
@@ -73,6 +77,27 @@ class EditingReader : public LineReader {
   }
 
  private:
+  // libedit writes in place, and only to a stream that has a descriptor. The session is over and
+  // did what it should, whatever becomes of its history.
+  void save_history() noexcept {
+    try {
+      const std::unique_ptr<std::FILE, int (*)(std::FILE*)> memory(
+          ::fdopen(::memfd_create("history", MFD_CLOEXEC), "w+"), &std::fclose);
+      HistEvent event;
+      if (!memory || ::history(history_, &event, H_SAVE_FP, memory.get()) < 0 ||
+          std::fflush(memory.get()) != 0)
+        throw FileError(options_.history.string(), 0, "cannot be made");
+      std::rewind(memory.get());
+      AtomicFile file(options_.history, S_IRUSR | S_IWUSR);  // what one types is one's own
+      std::array<char, 4096> chunk;
+      while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), memory.get()))
+        file.write(std::string_view(chunk.data(), got));
+      file.commit();
+    } catch (const std::exception& failure) {
+      std::fprintf(stderr, "sir: %s\n", failure.what());
+    }
+  }
+
   static EditingReader& of(EditLine* editor) {
     void* self = nullptr;
     el_get(editor, EL_CLIENTDATA, &self);

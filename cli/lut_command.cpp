@@ -194,6 +194,7 @@ int run_lut(const LutOptions& options, const Session& session) {
     for (const auto& mask : options.best->masks) refuse_input_file(output, mask);
     if (options.best->from) refuse_same_file(output, *options.best->from);
   }
+  require_writable(output);
   Chosen chosen = options.best ? choose_best(options, session) : choose_by_thesis(options);
   if (interrupted()) return kInterrupted;
   timed(chosen.ms.write, [&] { quant::write_lut(output, chosen.lut); });

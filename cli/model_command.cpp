@@ -13,6 +13,7 @@
 #include "modeler/csg.h"
 #include "modeler/script.h"
 #include "modeler/script_text.h"
+#include "modeler/state_folder.h"
 #include "tracer/error.h"
 #include "tracer/scene_file.h"
 #include "tracer/scene_path.h"
@@ -86,19 +87,28 @@ int print_script(const Path& base) {
 }
 
 #ifdef SIR_WITH_IMGUI
-int run_window(const ModelOptions& options) {
+void recover(viewer::ModelDesk& desk, const std::string& which) {
+  if (!desk.execute(recover_line(which))) throw FileError("--recover", 0, desk.message());
+}
+
+int run_window(const ModelOptions& options, const Session& session) {
   if (options.script == "-") throw FileError("-", 0, "--window takes its script from a file");
   viewer::DeskOptions desk;
   desk.outlet = make_outlet();
+  desk.journals = modeler::state_folder();
+  desk.from = options.script ? options.script->string() : options.from.value_or("").string();
   viewer::ModelWindow window(std::move(desk), [&](viewer::ModelDesk& at) {
     if (options.script) at.run_script(*options.script);
     if (options.from) at.open(*options.from);
+    if (options.recover) recover(at, *options.recover);
   });
   window.run(interruption());
-  return interrupted() ? kInterrupted : kDone;
+  if (interrupted()) return kInterrupted;
+  if (const std::string kept = window.desk().end(); !kept.empty()) note(session, kept);
+  return kDone;
 }
 #else
-int run_window(const ModelOptions&) {
+int run_window(const ModelOptions&, const Session&) {
   throw FileError("window", 0,
                   "this build has none (it needs SDL2 and Dear ImGui); leave out --window");
 }
@@ -108,7 +118,9 @@ int run_window(const ModelOptions&) {
 
 modeler::Outlet make_outlet() {
   modeler::Outlet outlet;
-  outlet.write_picture = viewer::write_rgb_png;
+  outlet.write_picture = [](const Path& file, const Planes& picture) {
+    viewer::write_rgb_png(file, picture);
+  };
   outlet.draw = draw;
   outlet.columns = [] { return viewer::terminal_columns(STDOUT_FILENO).value_or(80); };
   outlet.stop = interruption();
@@ -116,12 +128,15 @@ modeler::Outlet make_outlet() {
 }
 
 int run_model(const ModelOptions& options, const Session& session) {
-  if (options.window) return run_window(options);
+  if (options.window) return run_window(options, session);
   if (options.from) return print_script(*options.from);
+  if (options.recover && ::isatty(STDIN_FILENO) != 1)
+    throw FileError("--recover", 0, "a session goes on at a terminal, or with --window");
   modeler::Interpreter interpreter(make_outlet());
   if (options.script && *options.script != "-")
     return run_file(*options.script, interpreter, session);
-  if (!options.script && ::isatty(STDIN_FILENO) == 1) return run_prompt(interpreter, session);
+  if (!options.script && ::isatty(STDIN_FILENO) == 1)
+    return run_prompt(interpreter, session, options.recover);
   return run_standard_input(interpreter, session);
 }
 
@@ -130,11 +145,17 @@ void add_model(CLI::App& app, Action& action) {
       "model", "Model solids: by commands at a prompt, from standard input or from a script");
   const auto options = std::make_shared<ModelOptions>();
   auto* script = sub->add_option("SCRIPT", options->script, "commands, one a line (-: from stdin)");
-  sub->add_option("--from", options->from, "print the script that makes BASE.CSG")
-      ->type_name("BASE")
-      ->excludes(script);
+  auto* from = sub->add_option("--from", options->from, "print the script that makes BASE.CSG")
+                   ->type_name("BASE")
+                   ->excludes(script);
   sub->add_flag("--window", options->window,
                 "work in a window; with --from on BASE.CSG, seen by BASE.CAM, .LUZ and .SUP");
+  sub->add_option("--recover", options->recover,
+                  "begin with a session that was not ended: the last, or SESSION")
+      ->type_name("SESSION")
+      ->expected(0, 1)
+      ->excludes(script)
+      ->excludes(from);
   sub->footer("The commands: sir model, then help; docs/modeler.md.");
   sub->callback([&action, options] {
     if (options->from) options->from = given_base(*options->from);

@@ -12,6 +12,7 @@ namespace sir::cli {
 struct ModelOptions {
   std::optional<std::filesystem::path> script;  ///< "-": standard input
   std::optional<std::filesystem::path> from;    ///< a scene that is turned into a script, or opened
+  std::optional<std::string> recover;           ///< a session to begin with; "": the last one
   bool window = false;                          ///< what there is then is worked on in a window
 };
 

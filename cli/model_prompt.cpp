@@ -7,7 +7,10 @@
 #include "cli/interrupt.h"
 #include "cli/line_reader.h"
 #include "modeler/command_error.h"
+#include "modeler/command_line.h"
 #include "modeler/completion.h"
+#include "modeler/keeper.h"
+#include "modeler/state_folder.h"
 #include "tracer/error.h"
 #include "tracer/text_file.h"
 
@@ -33,15 +36,19 @@ bool may_leave(const modeler::Interpreter& interpreter, bool warned) {
   return false;
 }
 
+void tell(const modeler::Reply& reply, const Session& session) {
+  print(reply.text);
+  if (!reply.done.empty() && !session.quiet) print(reply.done + "\n");
+  for (const std::string& warning : reply.warnings) complain("warning: " + warning);
+}
+
 // Does one line; false where it is to be the last.
 bool obey(modeler::Interpreter& interpreter, const Session& session, const std::string& line) {
   TextFile text("-", line);  // in UTF-8, whatever the terminal sends
   const std::string command(text.next() ? text.line() : "");
   try {
     const modeler::Reply reply = interpreter.execute(command);
-    print(reply.text);
-    if (!reply.done.empty() && !session.quiet) print(reply.done + "\n");
-    for (const std::string& warning : reply.warnings) complain("warning: " + warning);
+    tell(reply, session);
     return !reply.quit;
   } catch (const modeler::CommandError& error) {
     complain(error.what());
@@ -51,9 +58,23 @@ bool obey(modeler::Interpreter& interpreter, const Session& session, const std::
   return true;
 }
 
+// Before a person does anything.
+modeler::Reply recovered(modeler::Interpreter& interpreter, const std::string& which) {
+  try {
+    return interpreter.execute(recover_line(which));
+  } catch (const modeler::CommandError& error) {
+    throw FileError("--recover", 0, error.what());
+  }
+}
+
 }  // namespace
 
-int run_prompt(modeler::Interpreter& interpreter, const Session& session) {
+std::string recover_line(const std::string& which) {
+  return "recover" + (which.empty() ? "" : " " + modeler::as_word(which));
+}
+
+int run_prompt(modeler::Interpreter& interpreter, const Session& session,
+               const std::optional<std::string>& recover) {
   LineOptions options;
   interpreter.watch(true);
   options.prompt = "sir> ";
@@ -62,13 +83,22 @@ int run_prompt(modeler::Interpreter& interpreter, const Session& session) {
   auto reader = make_editing_reader(options);
   if (!reader) reader = make_plain_reader(options);
   if (!session.quiet) print("Type help for the commands, quit to leave.\n");
+  modeler::Keeper keeper(interpreter, modeler::state_folder());
+  if (recover) {
+    tell(recovered(interpreter, *recover), session);
+  } else if (const std::string offer = keeper.offer(); !offer.empty() && !session.quiet) {
+    print(offer + "\n");
+  }
   for (bool warned = false;;) {
     flush_output();
     const auto line = reader->read();
     if (interrupted()) return kInterrupted;
     const bool leaving = !line || !obey(interpreter, session, *line);
     if (!line) print("\n");
-    if (leaving && may_leave(interpreter, warned)) return kDone;
+    if (leaving && may_leave(interpreter, warned)) {
+      if (const std::string kept = keeper.end(); !kept.empty()) complain(kept);
+      return kDone;
+    }
     if (interrupted()) return kInterrupted;
     warned = leaving;
   }

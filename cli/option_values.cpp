@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "tracer/limits.h"
 #include "tracer/text_file.h"
 
 namespace sir::cli {
@@ -31,7 +32,7 @@ bool parse_size(std::string_view text, ImageSize& size) {
   std::array<int, 2> v{};
   if (!parse_integers(text, 'x', v) || v[0] < 1 || v[1] < 1) return false;
   const ImageSize parsed{v[0], v[1]};
-  if (parsed.pixels() > kMaxPixels) return false;
+  if (parsed.pixels() > kMostPixels) return false;
   size = parsed;
   return true;
 }

@@ -9,10 +9,7 @@
 
 namespace sir::cli {
 
-/// Largest image that is rendered or read as planes: 2^28 pixels.
-inline constexpr std::size_t kMaxPixels = std::size_t{1} << 28;
-
-/// "WxH", both positive, at most kMaxPixels in all. The parsers return false,
+/// "WxH", both positive, at most kMostPixels in all. The parsers return false,
 /// and leave the value alone, where the text is nothing of the kind.
 bool parse_size(std::string_view text, ImageSize& size);
 

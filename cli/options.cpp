@@ -12,6 +12,7 @@
 
 #include "cli/add_option.h"
 #include "cli/colour_options.h"
+#include "cli/command_line.h"
 #include "cli/cost/cost_options.h"
 #include "cli/effects_command.h"
 #include "cli/export_command.h"
@@ -29,8 +30,10 @@
 #include "cli/show_options.h"
 #include "cli/table_command.h"
 #include "cli/tracing_options.h"
+#include "cli/version_text.h"
 #include "cli/why_options.h"
 #include "tracer/error.h"
+#include "tracer/limits.h"
 #include "tracer/text_file.h"
 
 namespace sir::cli {
@@ -55,6 +58,10 @@ void add_render(CLI::App& app, Action& action) {
   sub->add_flag_callback(
       "--no-png", [command] { command->png = false; }, "write the planes only");
   sub->add_flag("--stats", command->stats, "print counts and times as JSON");
+  sub->add_flag("--resume", command->resume,
+                "continue an interrupted render from its finished tiles, to the same bytes");
+  add_number(sub, "--keep-after", command->keep_after, 0, 1e9,
+             "keep finished tiles in BASE.tiles after so many seconds of rendering (5)");
   sub->add_option("--hesitation", command->hesitation,
                   "also write the image with the pixels marked whose hits depend on float against "
                   "double (red) or on the rounding of t (blue; both: yellow), judged by the ray "
@@ -170,7 +177,7 @@ void add_metrics(CLI::App& app, Action& action) {
   sub->add_option("--lut", options->lut,
                   "also say what REF loses through this LUT by its entries, by the DAC's bits "
                   "and by the mapping")
-      ->type_name("FILE");
+      ->type_name("FILE.LUT");
   add_size(sub, options->size, "size of the planes (640x480)");
   sub->add_flag("--json", options->json, "print JSON");
   sub->callback([&action, options] {
@@ -202,7 +209,9 @@ void add_table(CLI::App& app, Action& action) {
   sub->add_option("--images", command->images, "folder of the five scenes")->type_name("DIR");
   sub->add_option("--planes", command->planes, "folder of their planes, to save rendering them")
       ->type_name("DIR");
-  sub->add_option("--repeats", command->repeats, "timed runs (5)")->check(CLI::Range(1, 1000));
+  sub->add_option("--repeats", command->repeats, "timed runs (5)")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
   sub->add_flag("--json", command->json, "print JSON");
   sub->add_option("--html", command->html, "also write a report: one page with all pictures in it")
       ->type_name("FILE");
@@ -241,15 +250,42 @@ void add_hsv(CLI::App& app, Action& action) {
   });
 }
 
+// They hold for every command, before the command as after it, and are in force before its own
+// options are read.
+void add_limits(CLI::App& app) {
+  const auto add = [&app](const std::string& name, std::size_t Limits::*limit, std::size_t most,
+                          const std::string& help) {
+    app.add_option_function<std::size_t>(
+           name,
+           [limit](const std::size_t& value) {
+             Limits changed = limits();
+             changed.*limit = value;
+             set_limits(changed);
+           },
+           help)
+        ->check(CLI::Range(std::size_t{1}, most))
+        ->type_name("N");
+  };
+  const Limits usual;
+  add("--max-nodes", &Limits::nodes, kMostNodes,
+      fmt::format("most nodes, and surfaces, and lights, of a scene that is read ({})",
+                  usual.nodes));
+  add("--max-pixels", &Limits::pixels, kMostPixels,
+      fmt::format("most pixels of an image ({})", usual.pixels));
+}
+
 }  // namespace
 
-int run(int argc, char** argv) {
-  CLI::App app("SIR: CSG scenes, 256-entry lookup tables and the Eltek MA120 of 1989.", "sir");
-  Session session;
-  Action action;
-  app.set_version_flag("--version", "sir " SIR_VERSION);
+std::vector<const CLI::App*> subcommands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+void add_all(CLI::App& app, Session& session, Action& action) {
+  app.description("SIR: CSG scenes, 256-entry lookup tables and the Eltek MA120 of 1989.");
+  app.set_version_flag("--version", version_text);
   app.add_flag("-q", session.quiet, "say nothing but errors");
   app.add_flag("-v", session.verbose, "say more");
+  add_limits(app);
   app.require_subcommand(1);
   add_model(app, action);
   add_render(app, action);
@@ -269,6 +305,13 @@ int run(int argc, char** argv) {
   add_planes(app, action);
   add_export(app, action);
   for (CLI::App* sub : app.get_subcommands([](CLI::App*) { return true; })) sub->fallthrough();
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("", "sir");
+  Session session;
+  Action action;
+  add_all(app, session, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -26,8 +26,11 @@ void Progress::show(double done) {
   const double elapsed = duration<double>(now - start_).count();
   if (elapsed < kPatience || duration<double>(now - last_).count() < kInterval) return;
   last_ = now;
-  const double left = done > 0 ? elapsed * (1 - done) / done : 0;
-  std::fprintf(stderr, "\r%s: %3.0f %%, %.0f s left \x1b[K", label_.c_str(), done * 100, left);
+  const double taken = taken_share_ ? done * taken_share_() : 0;
+  const double left = done > taken ? elapsed * (1 - done) / (done - taken) : 0;
+  std::fprintf(stderr, "\r%s: %3.0f %%", label_.c_str(), done * 100);
+  if (taken > 0) std::fprintf(stderr, " (%.0f %% taken over)", taken * 100);
+  std::fprintf(stderr, ", %.0f s left \x1b[K", left);
   shown_ = true;
 }
 

@@ -19,6 +19,10 @@ class Progress {
   /// To be called with the share done, in [0,1]; not from two threads at once.
   std::function<void(double)> callback();
 
+  /// Tells, of what is done, the share that an earlier run did, in [0,1]: the line says so, and the
+  /// time left is reckoned without it.
+  void take_over(std::function<double()> share) { taken_share_ = std::move(share); }
+
   /// Removes the line.
   void finish();
 
@@ -26,6 +30,7 @@ class Progress {
   void show(double done);
 
   std::string label_;
+  std::function<double()> taken_share_;
   bool enabled_;
   bool shown_ = false;
   std::chrono::steady_clock::time_point start_, last_;

@@ -8,7 +8,8 @@
 #include "cli/option_values.h"
 #include "cli/output_path.h"
 #include "cli/progress.h"
-#include "tracer/atomic_file.h"
+#include "cli/render_keeping.h"
+#include "tracer/atomic_files.h"
 #include "tracer/error.h"
 #include "tracer/sample_progressive.h"
 #include "tracer/scene_file.h"
@@ -73,7 +74,7 @@ nlohmann::ordered_json antialias_json(const AntialiasOptions& options,
 }
 
 // The picture so far goes to BASE.png; what was shown is left in `stages`.
-RenderResult render_in_stages(const RenderCommand& command, const Scene& scene,
+RenderResult render_in_stages(const RenderOptions& options, const Scene& scene,
                               const std::filesystem::path& base, const Session& session,
                               Progress& progress, nlohmann::ordered_json& stages) {
   stages = nlohmann::ordered_json::array();
@@ -95,12 +96,12 @@ RenderResult render_in_stages(const RenderCommand& command, const Scene& scene,
                       {"antialiased", stage.antialiased},
                       {"share", stage.share}});
   };
-  return render_progressive(scene, command.options, show, interruption(), progress.callback());
+  return render_progressive(scene, options, show, interruption(), progress.callback());
 }
 
 // Links may lead from an output to one of the four files.
 void refuse_inputs(const std::filesystem::path& base, const RenderCommand& command) {
-  for (const char* output : {"R", "G", "B", "png"})
+  for (const char* output : {"R", "G", "B", "png", "tiles"})
     for (const char* input : {"CSG", "CAM", "LUZ", "SUP"}) {
       const auto file = find_by_suffix(command.base, input);
       refuse_same_file(with_suffix(base, output), file);
@@ -108,12 +109,38 @@ void refuse_inputs(const std::filesystem::path& base, const RenderCommand& comma
     }
 }
 
+// Hours of rendering must not end where there is no permission to write.
+void require_outputs(const std::filesystem::path& base, const RenderCommand& command) {
+  for (int channel = 0; channel < 3; ++channel) require_writable(plane_path(base, channel));
+  if (command.png) require_writable(with_suffix(base, "png"));
+  if (command.hesitation) require_writable(*command.hesitation);
+}
+
 void refuse_outputs(const std::filesystem::path& path, const std::filesystem::path& base) {
   require_picture_name(path);
-  for (const char* output : {"R", "G", "B", "png"})
+  for (const char* output : {"R", "G", "B", "png", "tiles"})
     if (same_place(path, with_suffix(base, output)))
       throw FileError(path.string(), 0,
                       "is a file of the image itself; the marked image needs another name");
+}
+
+// All of them together; their names.
+std::string write_outputs(const RenderCommand& command, const std::filesystem::path& base,
+                          const Planes& planes, const HesitationMap& hesitation) {
+  AtomicFiles together;
+  write_planes(together, base, planes);
+  std::string written = fmt::format("{0}.R {0}.G {0}.B", base.string());
+  if (command.png) {
+    const auto png = with_suffix(base, "png");
+    if (!command.progressive) viewer::write_rgb_png(together.add(png), planes);  // else it is there
+    written += " " + png.string();
+  }
+  if (command.hesitation) {
+    viewer::write_rgb_png(together.add(*command.hesitation), marked(planes, hesitation));
+    written += " " + command.hesitation->string();
+  }
+  together.commit();
+  return written;
 }
 
 }  // namespace
@@ -123,15 +150,23 @@ int run_render(const RenderCommand& command, const Session& session) {
   const auto base = output_base(command.base, command.out);
   refuse_inputs(base, command);
   if (command.hesitation) refuse_outputs(*command.hesitation, base);
+  require_outputs(base, command);
   Progress progress(session, command.base.filename().string());
   if (command.options.antialias.mode != Antialias::none && !command.options.antialiased())
     note(session, "not antialiased: --effects does not allow it");
+  RenderKeeping keeping(command, scene, base, session);
+  keeping.begin();
+  progress.take_over([&] { return keeping.record().taken_share(); });
+  RenderOptions options = command.options;
+  options.keeper = &keeping.record();
   nlohmann::ordered_json stages;
   const RenderResult result =
-      command.progressive ? render_in_stages(command, scene, base, session, progress, stages)
-                          : render(scene, command.options, progress.callback(), interruption());
+      command.progressive ? render_in_stages(options, scene, base, session, progress, stages)
+                          : render(scene, options, progress.callback(), interruption());
   progress.finish();
+  keeping.say_tiles();
   if (!result.complete) {
+    keeping.say_how_to_continue();
     if (!stages.empty())
       note(session, with_suffix(base, "png").string() +
                         " holds the picture as far as it came; the planes are as they were");
@@ -142,20 +177,20 @@ int run_render(const RenderCommand& command, const Session& session) {
     Progress comparing(session, command.base.filename().string() + ", hesitation");
     hesitation = find_hesitation(scene, command.options, comparing.callback(), interruption());
     comparing.finish();
-    if (!hesitation.complete) return kInterrupted;
+    if (!hesitation.complete) {
+      keeping.say_how_to_continue();
+      return kInterrupted;
+    }
   }
 
-  write_planes(base, result.planes);
-  std::string written = fmt::format("{0}.R {0}.G {0}.B", base.string());
-  if (command.png) {
-    const auto png = with_suffix(base, "png");
-    if (!command.progressive) viewer::write_rgb_png(png, result.planes);  // else it is there
-    written += " " + png.string();
+  std::string written;
+  try {
+    written = write_outputs(command, base, result.planes, hesitation);
+  } catch (const FileError&) {
+    keeping.say_how_to_continue();
+    throw;
   }
-  if (command.hesitation) {
-    viewer::write_rgb_png(*command.hesitation, marked(result.planes, hesitation));
-    written += " " + command.hesitation->string();
-  }
+  keeping.record().remove();
   const auto& rays = result.counts;
   detail(session, fmt::format("{}: {}x{}, {} rays in {:.0f} ms", base.string(),
                               result.planes.size.width, result.planes.size.height,

@@ -16,6 +16,8 @@ struct RenderCommand {
   bool png = true;
   bool progressive = false;  ///< BASE.png is the picture so far, after each stage
   bool stats = false;
+  bool resume = false;    ///< continue from BASE.tiles
+  double keep_after = 5;  ///< seconds from which on finished tiles are kept there
   std::optional<std::filesystem::path> hesitation;  ///< PNG of the hesitating pixels
 };
 

@@ -20,6 +20,10 @@ struct Session {
   bool verbose = false;
 };
 
+/// Takes the numbers of standard streams that are closed from the start, so that no output file
+/// gets one and is written into by mistake. Reading or writing them stays an error.
+void reserve_standard_streams();
+
 /// Writes a result to standard output. Throws FileError when it cannot be
 /// written (full disk, closed pipe).
 void print(std::string_view text);

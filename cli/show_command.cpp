@@ -10,6 +10,7 @@
 #include "cli/show_trace.h"
 #include "cli/shown_image.h"
 #include "quant/lut.h"
+#include "tracer/atomic_files.h"
 #include "tracer/error.h"
 #include "viewer/image_name.h"
 #include "viewer/png_file.h"
@@ -22,31 +23,34 @@
 namespace sir::cli {
 namespace {
 
-void write_png(const std::filesystem::path& path, const eltek::IndexedScreen& screen,
-               const std::optional<eltek::Crt>& crt) {
+void write_png(AtomicFiles& files, const std::filesystem::path& path,
+               const eltek::IndexedScreen& screen, const std::optional<eltek::Crt>& crt) {
   require_picture_name(path);
-  if (crt) viewer::write_rgb_png(path, to_planes(crt->show(screen)));
-  else viewer::write_indexed_png(path, screen);
+  AtomicFile& file = files.add(path);
+  if (crt) viewer::write_rgb_png(file, to_planes(crt->show(screen)));
+  else viewer::write_indexed_png(file, screen);
 }
 
 // To a file, to standard output, or both.
 int show_without_window(const ShowOptions& options, const Session& session) {
   const TerminalForm form = settle(options.terminal.value_or(TerminalForm::sixel));
   if (interrupted()) return kInterrupted;
+  if (options.png) require_writable(*options.png);
   std::optional<eltek::Crt> crt;
   if (options.crt) note(session, monitor_text(crt.emplace(*options.crt)));
   eltek::TraceRecorder recorder;
   viewer::Station station(options.crop);
   station.add_listener(recorder);
+  AtomicFiles together;
   for (const auto& input : options.inputs) {
     if (options.png) refuse_input_file(*options.png, input);
     const ShownImage image = prepare(input, options, session);
     station.show(input.string(), image.picture.planes.size, image.rendition);
     report_transfer(image, options);
-    if (options.png) write_png(*options.png, station.capture(), crt);
+    if (options.png) write_png(together, *options.png, station.capture(), crt);
     if (options.terminal) print_screen(station.capture(), crt, form);
   }
-  save_trace(options, recorder, session);
+  save_trace(together, options, recorder, session);
   return kDone;
 }
 
@@ -80,7 +84,8 @@ int open_window(const ShowOptions& options, const Session& session) {
   if (options.trace) viewer.listener = &recorder;
   viewer.report = [&session](const std::string& text) { note(session, text); };
   viewer::Window(options.inputs, std::move(viewer)).run(interruption());
-  save_trace(options, recorder, session);
+  AtomicFiles together;
+  save_trace(together, options, recorder, session);
   return interrupted() ? kInterrupted : kDone;
 }
 #else

@@ -37,7 +37,7 @@ void add_show(CLI::App& app, Action& action) {
                   "several in a window, where ? shows the keys")
       ->required();
   sub->add_option("--lut", options->lut, "the LUT (BASE.LUT, else median in hsv)")
-      ->type_name("FILE");
+      ->type_name("FILE.LUT");
   sub->add_option("--png", options->png,
                   "write the screen as a PNG, indexed, or RGB with --monitor crt; open no window")
       ->type_name("OUT.png");

@@ -27,13 +27,14 @@ void check_trace(const ShowOptions& options) {
   }
   if (options.png && same_place(*options.trace, *options.png))
     throw FileError(options.trace->string(), 0, "both the trace and the picture would go there");
-  AtomicFile{*options.trace};  // a session would be lost where it cannot be written
+  require_writable(*options.trace);  // a session would be lost
 }
 
-void save_trace(const ShowOptions& options, const eltek::TraceRecorder& recorder,
-                const Session& session) {
+void save_trace(AtomicFiles& files, const ShowOptions& options,
+                const eltek::TraceRecorder& recorder, const Session& session) {
+  if (options.trace) eltek::write_trace(files.add(*options.trace), recorder.trace());
+  files.commit();
   if (!options.trace) return;
-  eltek::write_trace(*options.trace, recorder.trace());
   const std::string records = counted(recorder.trace().records().size(), "record");
   if (recorder.full())
     note(session, options.trace->string() + ": holds the session's first " + records +

@@ -6,6 +6,7 @@
 #include "cli/show_command.h"
 #include "cli/shown_image.h"
 #include "eltek/trace_recorder.h"
+#include "tracer/atomic_files.h"
 
 namespace sir::cli {
 
@@ -13,9 +14,9 @@ namespace sir::cli {
 /// LUT or the picture is.
 void check_trace(const ShowOptions& options);
 
-/// Writes the trace where one was asked for.
-void save_trace(const ShowOptions& options, const eltek::TraceRecorder& recorder,
-                const Session& session);
+/// Writes the trace where one was asked for, as the last of `files`, and commits them.
+void save_trace(AtomicFiles& files, const ShowOptions& options,
+                const eltek::TraceRecorder& recorder, const Session& session);
 
 /// Prints what the display program sends for an image, counted where it is sent, and how long a
 /// bus of the rate that was asked for takes; nothing where none was.

@@ -24,6 +24,7 @@ void report(std::string_view reason) {
 
 int main(int argc, char** argv) {
   using namespace sir::cli;
+  reserve_standard_streams();
   sir::keep_freed_memory();
   install_signal_handlers();
   int code = kFailed;

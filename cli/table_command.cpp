@@ -46,6 +46,7 @@ int run_table(const TableCommand& command, const Session& session) {
   if (command.html)
     for (const ThesisRow& thesis : kThesisTable)
       refuse_inputs(*command.html, command.planes.value_or(images) / thesis.file);
+  if (command.html) require_writable(*command.html);
   for (const ThesisRow& thesis : kThesisTable) {
     fs::path planes = command.planes.value_or(scratch.path()) / thesis.file;
     if (!command.planes) {

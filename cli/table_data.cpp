@@ -8,6 +8,7 @@
 
 #include "cli/cost/lut_work.h"
 #include "quant/shown_through.h"
+#include "tracer/error.h"
 
 namespace sir::cli {
 namespace {
@@ -19,7 +20,8 @@ double run_once(const std::filesystem::path& planes, const LutChoice& choice,
   const quant::Lut lut = chosen_by(choice, read_planes(planes, ImageSize{})).lut;
   // Not by write_lut(): waiting for the disk to be sure of a file that nobody
   // keeps would drown everything else.
-  std::ofstream(lut_file) << quant::lut_text(lut) << std::flush;
+  if (!(std::ofstream(lut_file) << quant::lut_text(lut) << std::flush))
+    throw FileError(lut_file.string(), 0, "cannot be written");
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
       .count();
 }

@@ -42,7 +42,7 @@ void add_why(CLI::App& app, Action& action) {
       add_choice(sub, "--space", *space, {{"rgb", quant::Space::rgb}, {"hsv", quant::Space::hsv}},
                  "frequency and median: grid that colours are counted in (hsv)");
   sub->add_option("--lut", options->lut, "the LUT (BASE.LUT, else one that is chosen)")
-      ->type_name("FILE")
+      ->type_name("FILE.LUT")
       ->excludes(method)
       ->excludes(in);
   add_choice(sub, "--map", options->map.by,

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "eltek/trace_record.h"
+#include "tracer/atomic_file.h"
 
 namespace sir::eltek {
 
@@ -34,7 +35,10 @@ Trace parse_trace(std::string name, std::string text);
 /// The whole text; parse_trace() gives an equal trace.
 std::string trace_text(const Trace& trace);
 
-/// Writes trace_text() piece by piece; the file is there whole or not at all. Throws FileError.
+/// Writes trace_text() piece by piece into a file whose commit() is the caller's. Throws FileError.
+void write_trace(AtomicFile& file, const Trace& trace);
+
+/// The same as a whole: the file is there with all its content or not at all.
 void write_trace(const std::filesystem::path& path, const Trace& trace);
 
 }  // namespace sir::eltek

@@ -79,9 +79,13 @@ std::string trace_text(const Trace& trace) {
   return whole;
 }
 
+void write_trace(AtomicFile& file, const Trace& trace) {
+  write_pieces(trace, [&](std::string_view piece) { file.write(piece); });
+}
+
 void write_trace(const std::filesystem::path& path, const Trace& trace) {
   AtomicFile file(path);
-  write_pieces(trace, [&](std::string_view piece) { file.write(piece); });
+  write_trace(file, trace);
   file.commit();
 }
 

@@ -19,6 +19,10 @@ class CameraHistory {
   void hold();
   void let_go() { held_ = false; }
 
+  /// Whether the next change goes on with the last; so as it was once, for doing it again.
+  bool in_hand() const { return held_ && begun_; }
+  void take_in_hand(bool in_hand) { held_ = begun_ = in_hand; }
+
   /// Where there is one, takes it for `now`, and remembers `now` for the other way.
   bool undo(std::optional<CameraFile>& now);
   bool redo(std::optional<CameraFile>& now);

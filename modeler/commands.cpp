@@ -118,6 +118,10 @@ constexpr CommandInfo kCommands[] = {
     {Command::forget, "forget", "esquece", "",
      "Ends what undo and redo could bring back, and frees its memory. The session's script stays.",
      ""},
+    {Command::recover, "recover", "recupera", "[SESSION] | --list | --discard [SESSION|all]",
+     "Brings back the last session that was not ended, or ended with something not saved, or the "
+     "one that is named, in the place of what there is. --list tells them, --discard forgets one.",
+     "J-"},
     {Command::help, "help", "ajuda", "[COMMAND]", "What there is to be said of a command, or all.",
      "c"},
     {Command::quit, "quit", "sai", "", "Ends the session.", ""},

@@ -46,6 +46,7 @@ enum class Command : std::uint8_t {
   undo,
   redo,
   forget,
+  recover,
   help,
   quit
 };
@@ -60,7 +61,7 @@ struct CommandInfo {
   /// kind, o an operation, t a transform, x an axis, m the word centre, f a file, a an aspect, c a
   /// command, N a place in the solid's tree, E a command for what is there and what that takes, - a
   /// number; C, L, U, F, T what stands behind camera, light, surfaces, surface NUMBER, script;
-  /// V a part of the view, O on or off; h the word camera.
+  /// J a session that can be recovered; V a part of the view, O on or off; h the word camera.
   std::string_view places;
 };
 

@@ -204,6 +204,11 @@ Completion complete(const Interpreter& interpreter, std::string_view line) {
       case 'h': offer_word("camera"); break;
       case 'V': offer(view_words(), last.text, words); break;
       case 'O': offer(switch_words(), last.text, words); break;
+      case 'J':
+        for (const char* option : {"--list", "--discard"}) offer_word(option);
+        if (interpreter.keeping().names)
+          for (const std::string& name : interpreter.keeping().names()) offer_word(name);
+        break;
       case 'x':
         for (const char* axis : {"x", "y", "z"}) offer_word(axis);
         break;

@@ -17,7 +17,7 @@ namespace sir::modeler {
 
 Interpreter::Interpreter(Outlet outlet) : outlet_(std::move(outlet)) {}
 
-Reply Interpreter::execute(std::string_view line) {
+Reply Interpreter::obey(std::string_view line) {
   std::vector<std::string> words = split_words(line);
   if (words.empty()) return {};
   if (line.find('\n') != line.npos) throw CommandError("a command is one line");
@@ -106,7 +106,8 @@ Reply Interpreter::execute(std::string_view line) {
       return commit(number(solids_, name, slot), fmt::format("{}: number {}", name, slot.number));
     }
     case Command::load: {
-      const std::string name = arguments.next(), file = arguments.next();
+      const std::string name = arguments.next();
+      const std::filesystem::path file = file_word(arguments);
       arguments.end();
       Changes changes = load(name, file);
       // What is read is kept in that file.
@@ -129,8 +130,10 @@ Reply Interpreter::execute(std::string_view line) {
     case Command::script: return script_command(arguments);
     case Command::undo: return take_back(arguments, false);
     case Command::redo: return take_back(arguments, true);
+    case Command::recover: return recover(arguments);
     case Command::forget:
       arguments.end();
+      changed_ = true;
       history_.forget();
       return {{}, "what has been done can no longer be undone", {}, false};
     case Command::quit: {
@@ -145,7 +148,7 @@ Reply Interpreter::execute(std::string_view line) {
 
 // A combination has been made: perhaps nothing is left, which is seldom meant.
 Reply Interpreter::watched(const std::string& name, Reply reply) const {
-  if (!watchful_) return reply;
+  if (!watchful_ || repeated_ != nullptr) return reply;
   if (auto warning = empty_warning(*solids_.find(name)->solid.tree()))
     reply.warnings.push_back(std::move(*warning));
   return reply;
@@ -162,23 +165,27 @@ Reply Interpreter::take_back(Arguments& words, bool again) {
   const History::Record& record =
       again ? history_.redo(solids_, looks_) : history_.undo(solids_, looks_);
   follow(record.changes, !again);
+  changed_ = true;
   return {{}, (again ? "done again: " : "undone: ") + record.command, {}, false};
 }
 
 Reply Interpreter::record(History::Record record, std::string done) {
   history_.commit(solids_, looks_, std::move(record));
   follow(history_.in_force().back().changes, false);
+  changed_ = true;
   return {{}, std::move(done), {}, false};
 }
 
 Reply Interpreter::noted(const Arguments& words, const std::filesystem::path& file, Reply reply) {
   history_.add({words.text(), file, false, {}});
+  changed_ = true;
   return reply;
 }
 
 Reply Interpreter::noted(const Arguments& words, const std::filesystem::path& file, Reply reply,
                          const std::optional<CameraFile>& used) {
   history_.add({words.text(), file, true, used});
+  changed_ = true;
   return reply;
 }
 

@@ -14,7 +14,6 @@
 #include "modeler/orbit.h"
 #include "modeler/refusal.h"
 #include "modeler/sampling.h"
-#include "tracer/atomic_file.h"
 #include "tracer/scene_file.h"
 
 namespace sir::modeler {
@@ -70,16 +69,16 @@ Reply Interpreter::camera_command(Arguments& words) {
   switch (value_of(camera_words(), words.peek(), "word of camera")) {
     case CameraWord::load: {
       words.next();
-      TextFile file = file_to_read(words.next(), "CAM");
+      TextFile file = read(file_word(words), "CAM");
       words.end();
       return set_camera(read_camera(file), "camera: that of " + file.name());
     }
     case CameraWord::save: {
       words.next();
-      const std::filesystem::path file = file_to_write(words.next(), "CAM");
+      const std::filesystem::path file = file_to_write(file_word(words), "CAM");
       words.end();
       require_writable(file);
-      write_file_atomically(file, camera_text(camera()));
+      write(file, camera_text(camera()));
       return noted(words, file, {{}, "wrote " + file.string(), {}, false}, camera());
     }
     case CameraWord::frame: {
@@ -142,6 +141,7 @@ CameraFile Interpreter::described_camera(Arguments& words) const {
 
 Reply Interpreter::set_camera(std::optional<CameraFile> camera, std::string done) {
   if (camera) camera = checked(*camera);
+  changed_ = true;
   if (!same(camera, looks_.camera)) {
     camera_history_.remember(looks_.camera);
     looks_.camera = std::move(camera);
@@ -155,6 +155,7 @@ Reply Interpreter::take_camera_back(bool again) {
   if (!done)
     throw CommandError(again ? "there is no camera to go on to"
                              : "there is no camera to go back to");
+  changed_ = true;
   return {{}, again ? "camera: moved again" : "camera: as it was", {}, false};
 }
 

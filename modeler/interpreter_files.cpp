@@ -29,13 +29,16 @@ void Interpreter::protect(const Path& file) {
 
 void Interpreter::release(const Path& file) { released_.push_back(file); }
 
+Path Interpreter::file_word(Arguments& words) const { return outlet_.locate(words.next()); }
+
 void Interpreter::require_writable(const Path& file) const {
+  if (repeated_ != nullptr) return;
   for (const Path& input : protected_) refuse_same_file(file, input);
 }
 
 Reply Interpreter::save(Arguments& words) {
   const std::string name = words.next();
-  const Path given = words.next();
+  const Path given = file_word(words);
   words.end();
   const EntryPtr solid = require(solids_, name);
   const Node& tree = *solid->solid.tree();
@@ -44,11 +47,11 @@ Reply Interpreter::save(Arguments& words) {
   require_writable(file);
   Reply reply;
   if (suffix == ".model") {
-    write_file_atomically(file, script_text(tree, file.stem().string() + ".CSG"));
+    write(file, script_text(tree, file.stem().string() + ".CSG"));
   } else {
     bool numbers_lost = false;
     const CsgTree nodes = to_csg(tree, &numbers_lost);
-    write_file_atomically(file, csg_text(nodes));
+    write(file, csg_text(nodes));
     if (numbers_lost)
       reply.warnings.push_back(file.string() +
                                ": numbered anew, for not all nodes have numbers of their own");
@@ -58,8 +61,8 @@ Reply Interpreter::save(Arguments& words) {
   return noted(words, file, std::move(reply));
 }
 
-Changes Interpreter::load(const std::string& name, const Path& given) const {
-  TextFile file = file_to_read(given, "CSG");
+Changes Interpreter::load(const std::string& name, const Path& given) {
+  TextFile file = read(given, "CSG");
   return insert(solids_, name, from_csg(read_csg(file)));
 }
 

@@ -10,7 +10,6 @@
 #include "modeler/look_text.h"
 #include "modeler/look_words.h"
 #include "modeler/view.h"
-#include "tracer/atomic_file.h"
 #include "tracer/scene_file.h"
 
 namespace sir::modeler {
@@ -106,15 +105,19 @@ Reply Interpreter::light_command(Arguments& words) {
       return all(std::move(lighting), "light: set");
     }
     case LightWord::load: {
-      TextFile file = file_to_read(words.next(), "LUZ");
-      return all(read_lighting(file), "light: that of " + file.name());
+      TextFile file = read(file_word(words), "LUZ");
+      const Lighting lighting = read_lighting(file);
+      Reply reply = all(lighting, "light: that of " + file.name());
+      saved_light_ = light_line(lighting);
+      return reply;
     }
     case LightWord::made_up: return all(std::nullopt, "light: made up");
     case LightWord::save: {
-      const std::filesystem::path file = file_to_write(words.next(), "LUZ");
+      const std::filesystem::path file = file_to_write(file_word(words), "LUZ");
       words.end();
       require_writable(file);
-      write_file_atomically(file, lighting_text(now));
+      write(file, lighting_text(now));
+      saved_light_ = light_line(now);
       const Reply reply{{}, "wrote " + file.string(), {}, false};
       // What is made up hangs on the camera.
       return made_up ? noted(words, file, reply, camera()) : noted(words, file, reply);

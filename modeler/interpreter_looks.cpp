@@ -94,10 +94,10 @@ Reply Interpreter::show(Arguments& words) {
   while (words.left() > 0) {
     const std::string word = words.next();
     if (is_word(word, "--shaded", "--sombreado")) wanted.shaded = true;
-    else if (is_word(word, "--scene", "--cena")) wanted.base = base_of(words.next());
+    else if (is_word(word, "--scene", "--cena")) wanted.base = base_of(file_word(words).string());
     else if (is_word(word, "--size", "--tamanho")) wanted.size = size_of(words.next());
     else if (word.starts_with("--") || !wanted.file.empty()) words.fail();
-    else wanted.file = word;
+    else wanted.file = outlet_.locate(word).string();
   }
   const EntryPtr solid = require(solids_, wanted.name);
   const Node& tree = *solid->solid.tree();
@@ -110,6 +110,13 @@ Reply Interpreter::show(Arguments& words) {
       throw CommandError(in_quotes(wanted.file) + " is no name of a picture: FILE.png");
     require_writable(wanted.file);
   }
+  // It is there, or was when it was shown.
+  const auto wrote = [&](Reply reply) {
+    reply.done = "wrote " + wanted.file;
+    return wanted.base.empty() ? noted(words, wanted.file, reply, looks_.camera)
+                               : noted(words, wanted.file, reply);
+  };
+  if (to_file && repeated_ != nullptr) return wrote({});
   const int columns = std::clamp(outlet_.columns(), 20, 400);
   // A character has 2 by 4 dots; its colours stand for pixels 1 by 2, of which two are joined.
   if (wanted.size.width == 0)
@@ -132,9 +139,7 @@ Reply Interpreter::show(Arguments& words) {
     reply.warnings.push_back("nothing of " + in_quotes(wanted.name) + " is seen");
   if (to_file) {
     outlet_.write_picture(wanted.file, picture);
-    reply.done = "wrote " + wanted.file;
-    return wanted.base.empty() ? noted(words, wanted.file, reply, looks_.camera)
-                               : noted(words, wanted.file, reply);
+    return wrote(std::move(reply));
   }
   reply.text = wanted.shaded ? outlet_.draw(picture, columns) : in_dots(picture);
   return reply;

@@ -12,7 +12,6 @@
 #include "modeler/operations.h"
 #include "modeler/refusal.h"
 #include "modeler/view.h"
-#include "tracer/atomic_file.h"
 #include "tracer/scene_file.h"
 
 namespace sir::modeler {
@@ -38,7 +37,7 @@ Reply Interpreter::surfaces_command(Arguments& words) {
   }
   switch (value_of(surfaces_words(), words.next(), "word of surfaces")) {
     case SurfacesWord::load: {
-      TextFile file = file_to_read(words.next(), "SUP");
+      TextFile file = read(file_word(words), "SUP");
       words.end();
       const std::vector<Surface> described = read_surfaces(file);
       LookChanges changes;
@@ -46,14 +45,19 @@ Reply Interpreter::surfaces_command(Arguments& words) {
         changes.push_back(SurfaceChange{number, surface, std::nullopt});
       for (const Surface& surface : described)
         changes.push_back(SurfaceChange{surface.number, std::nullopt, surface});
-      return record({words.text(), {}, std::move(changes), {}},
-                    fmt::format("{} of {}", counted(described.size(), "surface"), file.name()));
+      Reply reply =
+          record({words.text(), {}, std::move(changes), {}},
+                 fmt::format("{} of {}", counted(described.size(), "surface"), file.name()));
+      saved_surfaces_ = surfaces_text(looks_.surface_list());
+      return reply;
     }
     case SurfacesWord::save: {
-      const std::filesystem::path file = file_to_write(words.next(), "SUP");
+      const std::filesystem::path file = file_to_write(file_word(words), "SUP");
       words.end();
       require_writable(file);
-      write_file_atomically(file, surfaces_text(looks_.surface_list()));
+      std::string text = surfaces_text(looks_.surface_list());
+      write(file, text);
+      saved_surfaces_ = std::move(text);
       return noted(
           words, file,
           {{},

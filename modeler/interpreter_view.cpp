@@ -25,12 +25,14 @@ Reply Interpreter::view_command(Arguments& words) {
   const bool value = value_of(switch_words(), words.next(), "state of a switch");
   words.end();
   view_.*setting = value;
+  changed_ = true;
   return {{}, fmt::format("{}: {}", what, value ? "on" : "off"), {}, false};
 }
 
 Reply Interpreter::select_command(Arguments& words) {
   if (words.left() == 0) {
     selection_.reset();
+    changed_ = true;
     return {{}, "nothing is selected", {}, false};
   }
   Selection chosen;
@@ -63,6 +65,7 @@ Reply Interpreter::select_command(Arguments& words) {
   if (chosen.face)
     done += fmt::format(", face {}", face_name(node->primitive()->kind, *chosen.face));
   selection_ = std::move(chosen);
+  changed_ = true;
   return {{}, std::move(done), {}, false};
 }
 

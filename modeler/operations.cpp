@@ -6,6 +6,7 @@
 
 #include "modeler/command_error.h"
 #include "modeler/nearest_name.h"
+#include "tracer/limits.h"
 #include "tracer/text_file.h"
 
 namespace sir::modeler {
@@ -129,6 +130,11 @@ Changes combine(const Lsu& solids, const std::string& name, std::string_view lef
     throw CommandError("a solid cannot be combined with itself; copy " + in_quotes(left) +
                        " first");
   const NodePtr &left_tree = left_solid->solid.tree(), &right_tree = right_solid->solid.tree();
+  // Nodes are shared until they are written or traced: sixty combinations of a solid with its copy
+  // would be 2^60 of them.
+  if (const std::size_t nodes = 1 + left_tree->count + right_tree->count; nodes > limits().nodes)
+    throw CommandError(in_quotes(name) + " would have " + std::to_string(nodes) + " nodes; " +
+                       at_most(limits().nodes, "nodes", "--max-nodes"));
   if (!apart) require_meeting(operation, left, left_tree->bounds, right, right_tree->bounds);
   Changes changes =
       added(solids, entry(name, make_node(name, Composite{operation, left_tree, right_tree})));

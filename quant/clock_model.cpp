@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 namespace sir::quant {
 namespace {
@@ -79,7 +80,8 @@ std::vector<std::string> images_of(std::span<const ClockSample> samples) {
 }
 
 bool is_calice(const std::string& image) {
-  return std::equal(image.begin(), image.end(), "calice", "calice" + 6, [](char a, char b) {
+  constexpr std::string_view kName = "calice";
+  return std::equal(image.begin(), image.end(), kName.begin(), kName.end(), [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == b;
   });
 }

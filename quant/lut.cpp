@@ -88,6 +88,10 @@ void write_lut(const std::filesystem::path& path, const Lut& lut) {
 
 Lut read_lut(const std::filesystem::path& path) {
   TextFile file(path);
+  return read_lut(file);
+}
+
+Lut read_lut(TextFile& file) {
   Lut lut;
   lut.dac = read_dac(file);
   for (std::size_t i = 0; i < kLutEntries; ++i) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "quant/dac_code.h"
+#include "tracer/text_file.h"
 
 namespace sir::quant {
 
@@ -48,5 +49,8 @@ void write_lut(const std::filesystem::path& path, const Lut& lut);
 /// than 256 entries, other than three words in a line, and for anything but
 /// integers from 0 to the largest code of the primary, 63 on the MA120.
 Lut read_lut(const std::filesystem::path& path);
+
+/// The same of a text that is read, to its end.
+Lut read_lut(TextFile& file);
 
 }  // namespace sir::quant

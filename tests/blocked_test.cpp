@@ -2,6 +2,7 @@
 // ordered list says.
 #include <gtest/gtest.h>
 
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 #include "tracer/hit.h"
 
@@ -62,7 +63,7 @@ void compare(const Scene& scene, std::uint64_t seed, bool aligned, Tally& tally)
 
 TEST(Blocked, IsWhatTheOrderedListSays) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 160; ++seed)
+  for (std::uint64_t seed = 0; seed < test::cases(160); ++seed)
     for (const bool aligned : {false, true}) {
       const Scene scene = test::random_scene(seed, 1 + static_cast<int>(seed) % 25, aligned);
       ASSERT_NO_FATAL_FAILURE(compare<double>(scene, seed, aligned, tally));
@@ -75,7 +76,7 @@ TEST(Blocked, IsWhatTheOrderedListSays) {
 // Unions of products, as most scenes are: what is found early is found right.
 TEST(Blocked, StopsAtTheFirstSolidInTheWay) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 60; ++seed)
+  for (std::uint64_t seed = 0; seed < test::cases(60); ++seed)
     for (const bool aligned : {false, true}) {
       test::SceneBuilder build;
       std::mt19937_64 random(seed);

@@ -1,8 +1,10 @@
 // The program from outside: what its commands print and write.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -55,6 +57,39 @@ TEST_F(CliTest, VersionAndHelpGoToStandardOutput) {
     EXPECT_EQ(own.err, "") << command;
   }
   EXPECT_EQ(folder.list(), kScene);
+}
+
+TEST_F(CliTest, VersionTellsHowTheProgramWasBuilt) {
+  std::istringstream lines(sir({"--version"}).out);
+  std::string first;
+  std::getline(lines, first);
+  EXPECT_THAT(first, testing::MatchesRegex("sir [0-9]+\\.[0-9]+\\.[0-9]+"));
+  std::map<std::string, std::string> said;
+  for (std::string line; std::getline(lines, line);) {
+    constexpr std::size_t kColumn = 14;
+    ASSERT_GT(line.size(), kColumn) << line;
+    said[line.substr(0, line.find_last_not_of(' ', kColumn - 1) + 1)] = line.substr(kColumn);
+  }
+  ASSERT_EQ(said.size(), 6);
+#ifdef __clang__
+  EXPECT_THAT(said["build"], testing::HasSubstr("Clang"));
+#else
+  EXPECT_THAT(said["build"], testing::HasSubstr("GNU " + std::to_string(__GNUC__) + "."));
+#endif
+  EXPECT_THAT(said["flags"], testing::HasSubstr("-ffp-contract=off"));
+#ifdef __SANITIZE_ADDRESS__
+  EXPECT_THAT(said["sanitizers"], testing::HasSubstr("address"));
+#elif defined(__SANITIZE_THREAD__)
+  EXPECT_THAT(said["sanitizers"], testing::HasSubstr("thread"));
+#endif
+#ifdef SIR_WITH_SDL
+  EXPECT_THAT(said["libraries"], testing::HasSubstr("SDL2 2."));
+#else
+  EXPECT_THAT(said["built without"], testing::HasSubstr("SDL2"));
+#endif
+  for (const char* library : {"libpng 1.", "lcms2 2.", "utf8proc 2.", "GMP 6.", "Highway "})
+    EXPECT_THAT(said["libraries"], testing::HasSubstr(library));
+  EXPECT_THAT(said["instructions"], testing::EndsWith(", of this machine, for packets of rays"));
 }
 
 TEST_F(CliTest, RenderWritesPlanesAndAPngOfThem) {

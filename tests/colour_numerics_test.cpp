@@ -10,12 +10,14 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <string>
 #include <tuple>
 
 #include "quant/allocation.h"
 #include "quant/choose.h"
 #include "quant/color_space.h"
 #include "quant/nearest.h"
+#include "tests/cases.h"
 
 namespace sir::quant {
 namespace {
@@ -23,7 +25,8 @@ namespace {
 __extension__ typedef __int128 Wide;
 
 // The same inputs in every run, unless RC_PARAMS asks for others.
-const bool kSeeded = ::setenv("RC_PARAMS", "seed=1989 max_success=300", 0) == 0;
+const std::string kParameters = "seed=1989 max_success=" + std::to_string(test::cases(300));
+const bool kSeeded = ::setenv("RC_PARAMS", kParameters.c_str(), 0) == 0;
 
 // Whether `got` is the double nearest to n / d, decided in integers: got is
 // m 2^-e with m of 53 bits, so |n 2^e - m d| <= d / 2. For 0 <= n / d <= 360.

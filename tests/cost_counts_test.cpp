@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bench/scenes.h"
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 #include "tracer/render.h"
 
@@ -155,7 +156,7 @@ TEST(CostCounts, DoNotDependOnTheNumberOfThreads) {
 TEST(CostCounts, EnvelopesOnTheTreeGiveRothsImages) {
   RenderOptions options;
   options.size = {48, 36};
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(40); ++seed) {
     const Scene scene = test::random_scene(seed, 3 + static_cast<int>(seed) % 12, seed % 3 == 0);
     for (const auto precision : {Precision::double_, Precision::float_, Precision::long_double}) {
       options.precision = precision;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 #include "tracer/render.h"
 
@@ -66,7 +67,7 @@ TEST(EffectSet, AutoEqualsAllByteForByte) {
   options.size = {48, 36};
   options.trace.depth_limit = 4;
   std::uint64_t saved = 0;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(40); ++seed) {
     const Scene scene = test::random_scene(seed, 2 + static_cast<int>(seed) % 8, seed % 4 == 0);
     options.trace.allowed_effects.exhaustive = false;
     const auto needed = render(scene, options);

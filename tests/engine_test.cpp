@@ -1,6 +1,7 @@
 // Every optimisation gives what the plain algorithm of Roth gives.
 #include <gtest/gtest.h>
 
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 #include "tracer/probe.h"
 #include "tracer/render.h"
@@ -38,7 +39,7 @@ void expect_same_boundaries(const Scene& scene, std::uint64_t seed, bool aligned
 }
 
 TEST(Engine, GatesGiveRothsBoundaries) {
-  for (std::uint64_t seed = 0; seed < 150; ++seed)
+  for (std::uint64_t seed = 0; seed < test::cases(150); ++seed)
     for (const bool aligned : {false, true})
       for (const auto precision : {Precision::double_, Precision::float_, Precision::long_double})
         expect_same_boundaries(test::random_scene(seed, 1 + static_cast<int>(seed) % 25, aligned),
@@ -48,7 +49,7 @@ TEST(Engine, GatesGiveRothsBoundaries) {
 TEST(Engine, GatesGiveRothsImages) {
   RenderOptions options;
   options.size = {48, 36};
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(30); ++seed) {
     const Scene scene = test::random_scene(seed, 3 + static_cast<int>(seed) % 12, seed % 3 == 0);
     for (const auto precision : {Precision::double_, Precision::float_, Precision::long_double}) {
       options.precision = precision;

@@ -8,6 +8,7 @@
 
 #include "interchange/pov_solid.h"
 #include "interchange/pov_view.h"
+#include "tests/cases.h"
 #include "tests/cli_fixture.h"
 #include "tests/scene_builder.h"
 
@@ -72,7 +73,7 @@ TEST(PovText, QuotesNamesForTheShellAndForPovRay) {
 }
 
 TEST(PovText, BracesCloseAndCommentsHideNone) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(20); ++seed) {
     Scene scene = random_scene(seed, 12, seed % 2 == 0);
     scene.tree.nodes[0].name = "} // {{ \\ */";
     for (Surface& surface : scene.surfaces) surface.name = "a } b";

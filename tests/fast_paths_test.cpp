@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bench/scenes.h"
+#include "tests/cases.h"
 #include "tests/packet_scenes.h"
 #include "tracer/recentre.h"
 #include "tracer/render.h"
@@ -165,7 +166,7 @@ TEST(FastPaths, ALightInARoom) {
 
 TEST(FastPaths, RandomScenes) {
   std::uint64_t packets = 0;
-  for (std::uint64_t seed = 0; seed < 48; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(48); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const bool aligned = seed % 2;
     expect_plain_images(
@@ -211,7 +212,7 @@ void dress(Scene& scene, std::uint64_t seed, bool parallel, double distance) {
 TEST(FastPaths, UnionsAndLattices) {
   std::uint64_t packets = 0;
   int plain_faced = 0;
-  for (std::uint64_t seed = 0; seed < 48; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(48); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const bool aligned = seed % 2;
     Scene scene = test::union_of_parts(500 + seed, 1 + static_cast<int>(seed * 7) % 40,

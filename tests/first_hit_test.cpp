@@ -1,6 +1,7 @@
 // The first boundary, found without the others, is the first of the ordered list.
 #include <gtest/gtest.h>
 
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 #include "tracer/hit.h"
 
@@ -64,7 +65,7 @@ TYPED_TEST_SUITE(FirstHit, Scalars);
 
 TYPED_TEST(FirstHit, IsTheFirstOfTheList) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 200; ++seed)
+  for (std::uint64_t seed = 0; seed < test::cases(200); ++seed)
     for (const bool aligned : {false, true})
       ASSERT_NO_FATAL_FAILURE(
           compare<TypeParam>(test::random_scene(seed, 1 + static_cast<int>(seed) % 25, aligned),
@@ -88,7 +89,7 @@ Scene crowd(std::uint64_t seed, bool aligned) {
 
 TYPED_TEST(FirstHit, IsTheFirstOfManyParts) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 80; ++seed)
+  for (std::uint64_t seed = 0; seed < test::cases(80); ++seed)
     for (const bool aligned : {false, true})
       ASSERT_NO_FATAL_FAILURE(compare<TypeParam>(crowd(seed, aligned), seed, aligned, tally));
   EXPECT_GT(tally.met, 10000);

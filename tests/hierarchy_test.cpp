@@ -46,6 +46,21 @@ std::size_t depth_of(const Hierarchy<double>& hierarchy) {
   return most;
 }
 
+// Parts of which nothing is left have boxes whose low ends lie above their high ones, anywhere.
+// Their common envelope has no size, in units of which they would be infinitely far.
+TEST(Hierarchy, EmptyBoxesMayLieAnywhere) {
+  std::vector<Box> boxes;
+  for (int i = 0; i < 40; ++i) {
+    const glm::dvec3 low(i % 7 - 3.0, i % 5, 0.25 * i);
+    boxes.push_back({low + 20.0, low - 20.0 * (i % 3)});
+  }
+  const Hierarchy<double> hierarchy(boxes);
+  std::set<std::uint32_t> seen;
+  for (const auto& node : hierarchy.nodes())
+    for (std::uint32_t i = 0; i < node.size; ++i) seen.insert(hierarchy.order()[node.first + i]);
+  EXPECT_EQ(seen.size(), boxes.size());
+}
+
 TEST(Hierarchy, NoBoxIsLostOnAWalk) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> any(-1, 1);

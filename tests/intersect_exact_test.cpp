@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 #include "tracer/solid.h"
 
@@ -81,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(All, FastAndExact, testing::ValuesIn(kKinds));
 
 TEST_P(FastAndExact, DoubleIsWithinItsBounds) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 2500; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(2500); ++seed) {
     ASSERT_NO_FATAL_FAILURE(compare<double>(GetParam(), seed, tally));
   }
   EXPECT_GT(tally.crossing, 10000);
@@ -91,7 +92,7 @@ TEST_P(FastAndExact, DoubleIsWithinItsBounds) {
 
 TEST_P(FastAndExact, LongDoubleIsWithinItsBounds) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 2500; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(2500); ++seed) {
     ASSERT_NO_FATAL_FAILURE(compare<long double>(GetParam(), seed, tally));
   }
   EXPECT_GT(tally.crossing, 10000);
@@ -101,7 +102,7 @@ TEST_P(FastAndExact, LongDoubleIsWithinItsBounds) {
 
 TEST_P(FastAndExact, FloatIsWithinItsBounds) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 2500; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(2500); ++seed) {
     ASSERT_NO_FATAL_FAILURE(compare<float>(GetParam(), seed, tally));
   }
   EXPECT_GT(tally.crossing, 10000);

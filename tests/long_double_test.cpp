@@ -4,6 +4,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 #include "tracer/intersect_exact.h"
 #include "tracer/numeric.h"
@@ -136,7 +137,7 @@ TEST(LongDouble, SeesWhatDoubleSees) {
   RenderOptions options;
   options.size = {96, 72};
   std::size_t off = 0, pixels = 0;
-  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(24); ++seed) {
     const Scene scene = test::random_scene(seed, 10, seed % 3 == 0);
     options.precision = Precision::double_;
     const Planes usual = render(scene, options).planes;

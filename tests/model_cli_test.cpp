@@ -18,7 +18,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-class ModelCli : public CliTest {};
+class ModelCli : public CliTest {
+ protected:
+  void SetUp() override { ::setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1); }
+};
 
 TEST_F(ModelCli, AScriptBuildsAndSaves) {
   folder.write("bola.model",
@@ -264,6 +267,25 @@ TEST_F(ModelPrompt, CompletesAndRemembers) {
   answer(terminal, "quit\r", "not saved: \"Cálice um\"; quit again to leave");
   terminal.type("quit\r");
   EXPECT_EQ(terminal.finish(), 0);
+}
+
+TEST_F(ModelPrompt, ItsHistoryIsReplacedAsAWholeAndIsItsOwnersAlone) {
+  std::string first;
+  for (const char* line : {"list\r", "help\r"}) {
+    AtTerminal terminal({"model"}, folder.path(), 80);
+    ASSERT_TRUE(terminal.wait_for("sir> "));
+    wait_for_editor(terminal);
+    terminal.type(line);
+    terminal.type("quit\r");
+    EXPECT_EQ(terminal.finish(), 0);
+    if (!first.empty()) continue;
+    first = folder.read("state/sir/history");
+    std::filesystem::create_hard_link(folder / "state/sir/history", folder / "before");
+  }
+  EXPECT_EQ(folder.read("before"), first);
+  EXPECT_THAT(folder.read("state/sir/history"), HasSubstr("help"));
+  EXPECT_EQ(std::filesystem::status(folder / "state/sir/history").permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }
 #endif
 

@@ -2,6 +2,7 @@
 #include <random>
 
 #include "modeler/operations.h"
+#include "tests/cases.h"
 #include "tests/modeler_fixture.h"
 
 namespace sir::test {
@@ -42,7 +43,7 @@ class HistoryTest : public ModelerTest {
 };
 
 TEST_F(HistoryTest, UndoAndRedoGoThroughEveryStateBitForBit) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(20); ++seed) {
     std::mt19937_64 random(seed);
     interpreter = modeler::Interpreter();
     std::vector<std::string> states{state_of(interpreter)};

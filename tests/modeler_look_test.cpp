@@ -7,6 +7,7 @@
 #include "modeler/sampling.h"
 #include "modeler/silhouette.h"
 #include "modeler/view.h"
+#include "tests/cases.h"
 #include "tests/modeler_fixture.h"
 #include "tests/scene_builder.h"
 #include "tracer/camera.h"
@@ -41,7 +42,7 @@ Planes plain_silhouette(const Scene& scene, ImageSize size) {
 
 TEST_F(Look, SilhouettesAreThoseOfThePlainLoop) {
   const ImageSize size{64, 48};
-  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(25); ++seed) {
     std::mt19937_64 random(seed);
     CsgTree nodes = random_scene(seed, 1 + static_cast<int>(seed % 8), false).tree;
     for (CsgNode& node : nodes.nodes)
@@ -93,7 +94,7 @@ TEST_F(Look, SurfacesOfOneNumberAreOne) {
 }
 
 TEST_F(Look, BoundsInScObsHoldEveryHit) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(20); ++seed) {
     const modeler::NodePtr tree = modeler::from_csg(random_scene(seed, 6, false).tree);
     if (modeler::is_empty(tree->bounds)) continue;
     const CameraFile camera = modeler::framing(tree->bounds, 4.0 / 3);
@@ -150,7 +151,7 @@ TEST_F(Look, WhatADifferenceHasTakenAwayIsNotLookedAt) {
   EXPECT_GT(lit(written), 3 * lit(modeler::silhouette(
                                   solid("c"), modeler::scene_of(solid("c"), wide), {80, 60})));
   // All that there is stays in it, whatever the solid.
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(20); ++seed) {
     const modeler::NodePtr tree = modeler::from_csg(random_scene(seed, 5, false).tree);
     const modeler::Box filled = modeler::filled_box(*tree);
     const modeler::Box met = modeler::sample(*tree, 100'000).met;

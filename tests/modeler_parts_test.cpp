@@ -3,6 +3,7 @@
 #include <random>
 
 #include "modeler/completion.h"
+#include "tests/cases.h"
 #include "tests/modeler_parts_fixture.h"
 
 namespace sir::test {
@@ -14,7 +15,7 @@ using testing::IsEmpty;
 
 TEST_F(PartsTest, AnEditIsSplittingTheCommandAndCombiningAgain) {
   int done = 0, refused = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
     std::mt19937_64 random(seed);
     interpreter = modeler::Interpreter();
     const std::string name = grow(random, 2 + int(seed % 12));

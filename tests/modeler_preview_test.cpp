@@ -7,6 +7,7 @@
 #include "modeler/preview.h"
 #include "modeler/silhouette.h"
 #include "modeler/view.h"
+#include "tests/cases.h"
 #include "tests/eventually.h"
 #include "tests/modeler_fixture.h"
 #include "tests/scene_builder.h"
@@ -258,7 +259,7 @@ TEST_F(PreviewTest, GuidesEncloseTheBox) {
 
 TEST_F(PreviewTest, APickIsWhatTheProberFindsFirst) {
   const ImageSize size{40, 30};
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(20); ++seed) {
     const modeler::NodePtr tree =
         modeler::from_csg(random_scene(seed, 1 + static_cast<int>(seed % 7), false).tree);
     if (modeler::is_empty(tree->bounds)) continue;

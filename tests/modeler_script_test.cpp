@@ -4,6 +4,7 @@
 
 #include "modeler/script.h"
 #include "modeler/script_text.h"
+#include "tests/cases.h"
 #include "tests/modeler_fixture.h"
 #include "tests/scene_builder.h"
 #include "tracer/error.h"
@@ -51,7 +52,7 @@ TEST_F(ScriptTest, TheFiveScenesComeFromTheirScripts) {
 TEST_F(ScriptTest, RandomScenesComeBackBitForBit) {
   const char* const names[] = {"a",    "dois nomes", "Pirâmide nº 3", "3",
                                "CUBO", "\"x\"",      "a (2)",         "a\\b #c"};
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
     std::mt19937_64 random(seed);
     CsgTree tree = random_scene(seed, 1 + static_cast<int>(seed % 25), seed % 2 == 0).tree;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {

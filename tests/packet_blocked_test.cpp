@@ -1,6 +1,7 @@
 // Whether a light is blocked, asked for sixteen rays at once.
 #include <gtest/gtest.h>
 
+#include "tests/cases.h"
 #include "tests/packet_scenes.h"
 #include "tracer/hit.h"
 #include "tracer/packet_blocked.h"
@@ -70,7 +71,7 @@ void compare_scene(const Scene& scene, std::uint64_t seed, BlockedTally& seconda
 template <typename T>
 void compare_scenes(bool aligned, double most_doubtful) {
   BlockedTally secondary, free;
-  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(120); ++seed) {
     const int parts = 1 + static_cast<int>(seed) % 40;
     const Scene scene = test::union_of_parts(seed, parts, seed % 3 ? 0.4 : 1.2, aligned);
     ASSERT_NO_FATAL_FAILURE(compare_scene<T>(scene, seed, secondary, free)) << "seed " << seed;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <sstream>
 
+#include "tests/cases.h"
 #include "tests/packet_scenes.h"
 #include "tracer/hit.h"
 #include "tracer/packet_first.h"
@@ -117,7 +118,7 @@ void compare_scene(const Scene& scene, std::uint64_t seed, int packets_of_rays,
 
 template <typename T>
 void compare_scenes(bool aligned, FirstTallies& tallies) {
-  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(120); ++seed) {
     const int parts = 1 + static_cast<int>(seed) % 40;
     const double size = seed % 3 ? 0.4 : 1.2;
     ASSERT_NO_FATAL_FAILURE(

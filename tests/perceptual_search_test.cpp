@@ -10,6 +10,7 @@
 
 #include "bench/made_up.h"
 #include "quant/choose.h"
+#include "tests/cases.h"
 #include "tests/random_planes.h"
 
 namespace sir::quant {
@@ -84,7 +85,7 @@ TEST(PerceptualSearch, EqualsTheDefinitionOnRandomColours) {
   const Lut lut = random_lut(random, 256);
   PerceptualSearch search(lut);
   ColourMeasure measure(Goal::perceptual);
-  for (int n = 0; n < 200000; ++n) {
+  for (std::uint64_t n = 0; n < test::cases(200'000); ++n) {
     const Rgb8 colour = any_colour(random);
     ASSERT_EQ(search(colour), perceptually_nearest(colour, lut, measure));
   }

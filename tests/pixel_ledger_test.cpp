@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 #include "tracer/radiance_bound.h"
 #include "tracer/render.h"
@@ -63,7 +64,7 @@ void keep_the_promise(std::uint64_t seed, int& decided) {
 
 TEST(PixelLedger, WhatItDecidesStands) {
   int decided = 0;
-  for (std::uint64_t seed = 0; seed < 4000; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(4000); ++seed) {
     ASSERT_NO_FATAL_FAILURE(keep_the_promise<double>(seed, decided));
     ASSERT_NO_FATAL_FAILURE(keep_the_promise<float>(seed, decided));
   }
@@ -71,7 +72,7 @@ TEST(PixelLedger, WhatItDecidesStands) {
 }
 
 TEST(RadianceBound, NoRayBringsMore) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(60); ++seed) {
     const Scene scene = test::random_scene(seed, 1 + static_cast<int>(seed) % 9, seed % 3 == 0);
     const Model<double> model(scene, {});
     for (const int depth : {1, 2, 5, 70}) {
@@ -93,7 +94,7 @@ TEST(RadianceBound, NoRayBringsMore) {
 
 TEST(SparedRays, ChangeNoByte) {
   std::uint64_t spared = 0;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(300); ++seed) {
     Scene scene = test::random_scene(seed, 2 + static_cast<int>(seed) % 10, seed % 4 == 0);
     // Dim mirrors and glass, and every third time light enough to fill the bytes.
     for (Surface& surface : scene.surfaces) surface.first.specular *= 0.1 * double(seed % 7);

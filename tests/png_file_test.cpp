@@ -290,6 +290,24 @@ TEST_F(PngFile, ATransparentColourCountsWhereItIsUsed) {
   EXPECT_REFUSED(file(), "transparent");
 }
 
+TEST_F(PngFile, AFileInMemoryReadsAsOneOnDisk) {
+  const Planes planes = test::random_planes({21, 13}, 5);
+  write_rgb_png(file(), planes);
+  Bytes bytes = content(file());
+  EXPECT_EQ(parse_png("memory", bytes), planes);
+  bytes.resize(bytes.size() / 2);
+  for (const Bytes& wrong : {bytes, Bytes{}, Bytes{0x89, 'P'}}) {
+    std::string on_disk = refusal(store(wrong)), in_memory;
+    on_disk.replace(0, store(wrong).string().size(), "memory");
+    try {
+      parse_png("memory", wrong);
+    } catch (const FileError& error) {
+      in_memory = error.what();
+    }
+    EXPECT_EQ(in_memory, on_disk);
+  }
+}
+
 // What cannot be read.
 
 TEST_F(PngFile, MissingEmptyAndForeignFilesAreRefused) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 #include "tracer/solid.h"
 
@@ -124,7 +125,7 @@ Scene mixed_tree(std::uint64_t seed, int leaves, bool aligned, bool chain) {
 
 TEST(Products, HoldThePointsOfTheTree) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 400; ++seed)
+  for (std::uint64_t seed = 0; seed < test::cases(400); ++seed)
     for (const bool aligned : {false, true}) {
       const int leaves = 1 + static_cast<int>(seed) % 30;
       ASSERT_NO_FATAL_FAILURE(

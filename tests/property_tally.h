@@ -9,15 +9,16 @@
 #include <cstdlib>
 #include <string>
 
+#include "tests/cases.h"
 #include "tests/property_scene.h"
 
 namespace sir::test {
 
-/// Rays of the whole suite, SIR_PROPERTY_RAYS in the environment; 10^7 else. The
-/// shares add up to somewhat more, the rest being refractions without a solid.
+/// Rays of the whole suite, SIR_PROPERTY_RAYS in the environment; 10^7 else, or a share of them
+/// (cases.h). The shares add up to somewhat more, the rest being refractions without a solid.
 inline std::uint64_t rays_of_suite() {
   const char* const text = std::getenv("SIR_PROPERTY_RAYS");
-  return text == nullptr ? 10'000'000 : std::strtoull(text, nullptr, 10);
+  return text == nullptr ? cases(10'000'000) : std::strtoull(text, nullptr, 10);
 }
 
 /// Counts rays up to this test's share of the suite's, and prints the sums at

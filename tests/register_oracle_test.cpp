@@ -9,12 +9,13 @@
 #include "eltek/trace_player.h"
 #include "eltek/trace_recorder.h"
 #include "eltek/trace_text.h"
+#include "tests/cases.h"
 #include "tests/ma120_model.h"
 
 namespace sir::eltek {
 namespace {
 
-constexpr int kSessions = 20;
+const unsigned kSessions = static_cast<unsigned>(test::cases(20));
 constexpr int kSteps = 250;
 
 // Machine, bus and recorder on one side, the model on the other.

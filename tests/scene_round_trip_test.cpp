@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 #include "tracer/scene_file.h"
 
@@ -36,7 +37,7 @@ bool same_bits(const glm::dvec3& a, const glm::dvec3& b) {
 
 TEST(RoundTrip, CsgKeepsEveryBit) {
   const char* const names[] = {"a", "dois nomes", "Pirâmide nº 3", "3", "CUBO", "\"x\""};
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(40); ++seed) {
     std::mt19937_64 random(seed);
     CsgTree tree = test::random_scene(seed, 1 + static_cast<int>(seed % 12), false).tree;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -79,7 +80,7 @@ TEST(RoundTrip, CsgKeepsEveryBit) {
 }
 
 TEST(RoundTrip, CameraKeepsEveryBit) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(60); ++seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> direction(-1, 1);
     CameraFile camera;
@@ -106,7 +107,7 @@ TEST(RoundTrip, CameraKeepsEveryBit) {
 }
 
 TEST(RoundTrip, LightingKeepsEveryBit) {
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(30); ++seed) {
     std::mt19937_64 random(seed);
     Lighting lighting;
     lighting.background = three(random, any_non_negative);
@@ -143,7 +144,7 @@ TEST(RoundTrip, SurfacesKeepEveryBit) {
                      {b.specular, b.exponent, b.transmission}) &&
            a.index == b.index;
   };
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(30); ++seed) {
     std::mt19937_64 random(seed);
     std::vector<Surface> surfaces(seed % 5);
     for (std::size_t i = 0; i < surfaces.size(); ++i) {

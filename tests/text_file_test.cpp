@@ -1,4 +1,5 @@
 #include "tracer/text_file.h"
+#include "tracer/limits.h"
 
 #include <gtest/gtest.h>
 
@@ -190,7 +191,7 @@ TEST(TextFile, ReadsAFile) {
 
 TEST(TextFile, RefusesLinesAboveTheLimit) {
   const TempFolder folder;
-  const std::string longest(TextFile::kMaxLine, 'x');
+  const std::string longest(kMaxLine, 'x');
   TextFile file(folder.write("T", "\n" + longest + "\n"));
   ASSERT_TRUE(file.next());
   EXPECT_EQ(file.line().size(), longest.size());

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/cases.h"
 #include "tests/scene_builder.h"
 
 namespace sir {
@@ -179,7 +180,7 @@ TEST(Trace, RefractionSwitchedOffIsNoTotalReflection) {
 
 TEST(Trace, LogAddsUp) {
   int nodes = 0;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::cases(40); ++seed) {
     const Scene scene = test::random_scene(seed, 5, false);
     const Model<double> model(scene, {});
     TraceLog log;

@@ -10,6 +10,7 @@
 #include "eltek/bus.h"
 #include "eltek/trace_player.h"
 #include "eltek/trace_recorder.h"
+#include "tests/cases.h"
 #include "tests/temp_folder.h"
 #include "tracer/error.h"
 
@@ -169,8 +170,8 @@ TEST(TraceText, ACutTraceIsDetectedAtEveryByte) {
 // Bytes changed, doubled and left out: a trace is read and can be played, or the error has a place.
 TEST(TraceText, DamagedTracesAreReadOrLocated) {
   std::mt19937 random(3);
-  int read = 0;
-  for (int i = 0; i < 4000; ++i) {
+  std::uint64_t read = 0;
+  for (std::uint64_t i = 0; i < test::cases(4000); ++i) {
     std::string text = kSample;
     for (auto changes = random() % 3 + 1; changes > 0; --changes) {
       const std::size_t place = random() % text.size();
@@ -188,7 +189,7 @@ TEST(TraceText, DamagedTracesAreReadOrLocated) {
       ASSERT_EQ(std::string(error.what()).find("T:"), 0u) << error.what() << "\n" << text;
     }
   }
-  EXPECT_GT(read, 100);
+  EXPECT_GT(read, test::cases(4000) / 40);
 }
 
 // Runs stay runs: what 3000 lines ask for is 2 gigapixels; it is refused at the limit, and what

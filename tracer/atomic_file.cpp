@@ -10,18 +10,12 @@
 #include <cstring>
 
 #include "tracer/error.h"
+#include "tracer/stale_temporaries.h"
 
 namespace sir {
 namespace {
 
 std::string reason_of(int code) { return std::strerror(code); }
-
-// Unique within the process; the process number keeps processes apart.
-std::filesystem::path temporary_beside(const std::filesystem::path& destination) {
-  static std::atomic<unsigned> serial{0};
-  return std::filesystem::path(destination) +=
-         "." + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
-}
 
 // Names of the temporary files there are, for remove_temporaries(). More files
 // than that are not open at once.
@@ -53,40 +47,60 @@ std::filesystem::path followed(std::filesystem::path path) {
   return path;
 }
 
+// Of an output: whether it is written directly. Throws where it cannot be written.
+bool is_written_directly(const std::filesystem::path& destination) {
+  std::error_code failure;
+  const auto status = std::filesystem::status(destination, failure);
+  if (status.type() == std::filesystem::file_type::none)
+    throw FileError(destination.string(), 0, "cannot be written: " + failure.message());
+  if (!std::filesystem::exists(status)) return false;
+  // A rename would replace a file that is protected against writing.
+  if (::faccessat(AT_FDCWD, destination.c_str(), W_OK, AT_EACCESS) != 0)
+    throw FileError(destination.string(), 0, "cannot be written: " + reason_of(errno));
+  return !std::filesystem::is_regular_file(status);
+}
+
 }  // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path destination)
+AtomicFile::AtomicFile(std::filesystem::path destination, mode_t mode)
     // A symbolic link keeps pointing where it points: its target is replaced.
-    : destination_(followed(std::move(destination))) {
-  std::error_code failure;
-  const auto status = std::filesystem::status(destination_, failure);
-  if (status.type() == std::filesystem::file_type::none)
-    throw FileError(destination_.string(), 0, "cannot be written: " + failure.message());
-  const bool exists = std::filesystem::exists(status);
-  // A rename would replace a file that is protected against writing.
-  if (exists && ::faccessat(AT_FDCWD, destination_.c_str(), W_OK, AT_EACCESS) != 0)
-    throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
-  const bool direct = exists && !std::filesystem::is_regular_file(status);
-  if (direct) {
-    descriptor_ = ::open(destination_.c_str(), O_WRONLY | O_CLOEXEC);
-  } else {
-    temporary_ = temporary_beside(destination_);
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  }
-  if (descriptor_ < 0)
-    throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
-  if (!direct) remember(temporary_.c_str());
+    : destination_(followed(std::move(destination))), direct_(is_written_directly(destination_)) {
+  if (direct_) descriptor_ = ::open(destination_.c_str(), O_WRONLY | O_CLOEXEC);
+  else make_temporary(mode);
+  if (descriptor_ < 0) fail(errno);
+  if (direct_) return;
+  remember(temporary_.c_str());
   // The permissions of a file that is replaced are kept.
   struct stat old {};
-  if (!direct && ::stat(destination_.c_str(), &old) == 0)
-    (void)!::fchmod(descriptor_, old.st_mode & 07777);
+  if (::stat(destination_.c_str(), &old) == 0) (void)!::fchmod(descriptor_, old.st_mode & 07777);
+  remove_stale_temporaries(destination_, descriptor_);
 }
 
 AtomicFile::~AtomicFile() {
+  if (!temporary_.empty()) {
+    ::unlink(temporary_.c_str());
+    forget(temporary_.c_str());
+  }
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (temporary_.empty()) return;
-  ::unlink(temporary_.c_str());
-  forget(temporary_.c_str());
+}
+
+void AtomicFile::fail(int code) const {
+  throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(code));
+}
+
+// Another name where one is taken, left over by a process that had our number.
+void AtomicFile::make_temporary(mode_t mode) {
+  for (;;) {
+    temporary_ = temporary_beside(destination_);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (descriptor_ < 0) {
+      if (errno == EEXIST) continue;
+      temporary_.clear();
+      return;
+    }
+    if (mark_as_written(descriptor_)) return;
+    ::close(descriptor_);
+  }
 }
 
 void AtomicFile::write(std::span<const std::byte> bytes) {
@@ -95,7 +109,7 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written < 0) {
       if (errno == EINTR) continue;
-      throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+      fail(errno);
     }
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
@@ -106,22 +120,59 @@ void AtomicFile::write(std::string_view text) {
 }
 
 void AtomicFile::flush() {
-  if (!flushed_ && !temporary_.empty() && ::fsync(descriptor_) != 0)
-    throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
+  if (!flushed_ && !direct_ && ::fsync(descriptor_) != 0) fail(errno);
   flushed_ = true;
+}
+
+// The descriptor, and with it the lock, lasts until the name is taken. After fsync its close has
+// nothing more to tell.
+void AtomicFile::take_name() {
+  if (!direct_) {
+    if (::rename(temporary_.c_str(), destination_.c_str()) != 0) fail(errno);
+    forget(temporary_.c_str());
+    temporary_.clear();
+  }
+  const int closed = ::close(descriptor_);
+  descriptor_ = -1;
+  if (closed != 0 && direct_) fail(errno);
+}
+
+void AtomicFile::sync_folder() const {
+  if (direct_) return;
+  const auto folder = destination_.has_parent_path() ? destination_.parent_path() : ".";
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;  // a folder may be written that may not be read
+  const int synced = ::fsync(descriptor);
+  const int code = errno;
+  ::close(descriptor);
+  // EINVAL: a file system that does this for files alone.
+  if (synced != 0 && code != EINVAL && code != ENOTSUP) fail(code);
 }
 
 void AtomicFile::commit() {
   flush();
-  const int closed = ::close(descriptor_);
-  descriptor_ = -1;
-  if (closed != 0)
-    throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
-  if (temporary_.empty()) return;
-  if (::rename(temporary_.c_str(), destination_.c_str()) != 0)
-    throw FileError(destination_.string(), 0, "cannot be written: " + reason_of(errno));
-  forget(temporary_.c_str());
-  temporary_.clear();
+  take_name();
+  sync_folder();
+}
+
+// Without looking for what is left over: large folders are searched once for an output, not twice.
+void require_writable(const std::filesystem::path& destination) {
+  const auto path = followed(destination);
+  int code = 0;
+  if (is_written_directly(path)) {
+    code = std::filesystem::is_directory(path) ? EISDIR : 0;
+  } else {
+    const auto trial = temporary_beside(path);
+    const int descriptor = ::open(trial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (descriptor < 0) {
+      code = errno;
+    } else {
+      ::unlink(trial.c_str());
+      ::close(descriptor);
+    }
+  }
+  if (code != 0 && code != EEXIST)
+    throw FileError(path.string(), 0, "cannot be written: " + reason_of(code));
 }
 
 void remove_temporaries() noexcept {

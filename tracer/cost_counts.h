@@ -64,6 +64,15 @@ struct CostCounts {
       primitives[kind] += other.primitives[kind];
     return *this;
   }
+
+  /// What has come since `before`.
+  CostCounts since(const CostCounts& before) const {
+    CostCounts result{calls - before.calls, combinations - before.combinations,
+                      envelopes - before.envelopes, primitives};
+    for (std::size_t kind = 0; kind < primitives.size(); ++kind)
+      result.primitives[kind] -= before.primitives[kind];
+    return result;
+  }
 };
 
 }  // namespace sir

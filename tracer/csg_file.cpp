@@ -229,6 +229,7 @@ struct Reader {
 CsgTree read_csg(TextFile& file) {
   Reader reader{file, {}, {}, {}};
   const auto announced = file.read_count("the number of nodes");
+  require_at_most(file, announced, "nodes");
   if (announced == 0) file.fail("a scene has at least one node");
   // Room for what is announced, but for no more than the file has place for.
   constexpr std::size_t kLeastBytes = 32;  // a node has more

@@ -10,6 +10,9 @@ namespace {
 constexpr int kBins = 16;
 // Nodes deeper than this are halved: what is left is gone after 32 more.
 constexpr std::uint8_t kFreeDepth = 36;
+// Infinite boxes have places that are no numbers, and empty ones (low > high) may lie anywhere:
+// what is beyond the envelope, which goes from -1 to 1, is as far as it is wide.
+constexpr float kFar = 2;
 
 // Where boxes are parted needs few digits: what is sorted are floats, in units of the
 // whole envelope, from its centre. The envelopes of the nodes are T's again.
@@ -51,7 +54,7 @@ std::vector<Item> items_of(std::span<const Bounds<T>> boxes) {
   const T size = std::max({half.x, half.y, half.z, std::numeric_limits<T>::min()});
   const auto unit = [&](const glm::vec<3, T>& point) {
     const glm::vec3 v((point - middle) / size);
-    const auto number = [](float x) { return std::isnan(x) ? 0.0f : x; };  // of infinite boxes
+    const auto number = [](float x) { return std::isnan(x) ? 0.0f : std::clamp(x, -kFar, kFar); };
     return Four{number(v.x), number(v.y), number(v.z), 0};
   };
   std::vector<Item> items;

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <span>
 
-#include "tracer/atomic_file.h"
+#include "tracer/atomic_files.h"
 #include "tracer/error.h"
 #include "tracer/scene_path.h"
 
@@ -39,18 +39,15 @@ std::filesystem::path plane_path(const std::filesystem::path& base, int channel)
 }
 
 void write_planes(const std::filesystem::path& base, const Planes& planes) {
-  // All three are on the disk before the first takes its name: a full disk leaves the old image
-  // whole, and who watches the files sees the three change at once or nearly so.
-  std::array<std::filesystem::path, 3> paths{plane_path(base, 0), plane_path(base, 1),
-                                             plane_path(base, 2)};
-  AtomicFile r(paths[0]), g(paths[1]), b(paths[2]);
-  r.write(std::as_bytes(std::span(planes.channel[0])));
-  g.write(std::as_bytes(std::span(planes.channel[1])));
-  b.write(std::as_bytes(std::span(planes.channel[2])));
-  for (AtomicFile* plane : {&r, &g, &b}) plane->flush();
-  r.commit();
-  g.commit();
-  b.commit();
+  AtomicFiles files;
+  write_planes(files, base, planes);
+  files.commit();
+}
+
+void write_planes(AtomicFiles& files, const std::filesystem::path& base, const Planes& planes) {
+  for (std::size_t c = 0; c < planes.channel.size(); ++c)
+    files.add(plane_path(base, static_cast<int>(c)))
+        .write(std::as_bytes(std::span(planes.channel[c])));
 }
 
 Planes read_planes(const std::filesystem::path& base, ImageSize size) {

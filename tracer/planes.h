@@ -9,6 +9,8 @@
 
 namespace sir {
 
+class AtomicFiles;
+
 /// Width and height of an image in pixels.
 struct ImageSize {
   int width = 640;
@@ -51,6 +53,9 @@ std::filesystem::path plane_path(const std::filesystem::path& base, int channel)
 
 /// Writes BASE.R, BASE.G and BASE.B. Throws FileError.
 void write_planes(const std::filesystem::path& base, const Planes& planes);
+
+/// The same as a part of `files`, whose commit() is the caller's.
+void write_planes(AtomicFiles& files, const std::filesystem::path& base, const Planes& planes);
 
 /// Reads the three planes of an image of the given size; the suffix may be
 /// in upper or lower case. Throws FileError where a plane is missing or has

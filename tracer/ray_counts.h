@@ -1,6 +1,7 @@
 // What rays were cast (the costs of thesis 2.5).
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "tracer/cost_counts.h"
@@ -20,19 +21,28 @@ struct RayCounts {
   CostCounts costs;            ///< of all those rays together
 
   RayCounts& operator+=(const RayCounts& other) {
-    primary += other.primary;
-    reflected += other.reflected;
-    refracted += other.refracted;
-    shadow += other.shadow;
-    filtered += other.filtered;
-    spared += other.spared;
-    spans += other.spans;
-    exact += other.exact;
-    packets += other.packets;
-    doubtful += other.doubtful;
+    for (const auto member : kMembers) this->*member += other.*member;
     costs += other.costs;
     return *this;
   }
+
+  /// What has come since `before`.
+  RayCounts since(const RayCounts& before) const {
+    RayCounts result;
+    for (const auto member : kMembers) result.*member = this->*member - before.*member;
+    result.costs = costs.since(before.costs);
+    return result;
+  }
+
+  friend bool operator==(const RayCounts&, const RayCounts&) = default;
+
+  /// All that is counted here, but for `costs`.
+  static const std::array<std::uint64_t RayCounts::*, 10> kMembers;
 };
+
+inline constexpr std::array<std::uint64_t RayCounts::*, 10> RayCounts::kMembers = {
+    &RayCounts::primary,  &RayCounts::reflected, &RayCounts::refracted, &RayCounts::shadow,
+    &RayCounts::filtered, &RayCounts::spared,    &RayCounts::spans,     &RayCounts::exact,
+    &RayCounts::packets,  &RayCounts::doubtful};
 
 }  // namespace sir

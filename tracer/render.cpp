@@ -30,6 +30,48 @@ void for_each_square(const Region& region, int side, Visit&& visit) {
                    std::min(side, region.height - y)});
 }
 
+// A tile on its way between the planes and a keeper, where there is one.
+class KeptTile {
+ public:
+  KeptTile(TileKeeper* keeper, const Region& tile, std::size_t first, Planes& planes)
+      : keeper_(keeper), tile_(tile), first_(first), planes_(planes) {}
+
+  // Fills in its pixels where the keeper has them.
+  bool taken() {
+    if (!keeper_) return false;
+    colours_.resize(ImageSize{tile_.width, tile_.height}.pixels());
+    if (!keeper_->take({0, first_}, colours_)) return false;
+    for_each_pixel([&](std::size_t place, Rgb8& colour) { planes_.set(place, colour); });
+    return true;
+  }
+
+  // It was not finished.
+  void leave() { keeper_ = nullptr; }
+
+  void keep(const RayCounts& cost) {
+    if (!keeper_) return;
+    for_each_pixel([&](std::size_t place, Rgb8& colour) { colour = planes_.at(place); });
+    keeper_->keep({0, first_}, colours_, cost);
+  }
+
+ private:
+  template <typename Visit>
+  void for_each_pixel(Visit&& visit) {
+    std::size_t at = 0;
+    for (int y = 0; y < tile_.height; ++y)
+      for (int x = 0; x < tile_.width; ++x, ++at)
+        visit(first_ + static_cast<std::size_t>(y) * static_cast<std::size_t>(planes_.size.width) +
+                  static_cast<std::size_t>(x),
+              colours_[at]);
+  }
+
+  TileKeeper* keeper_;
+  const Region& tile_;
+  const std::size_t first_;
+  Planes& planes_;
+  std::vector<Rgb8> colours_;
+};
+
 template <typename T>
 RenderResult render_in(const Scene& scene, const RenderOptions& options,
                        const std::function<void(double)>& progress, const std::stop_token& stop) {
@@ -69,28 +111,38 @@ RenderResult render_model(const Model<T>& model, const RenderOptions& options,
     return [&, tracer = tracers.back(), rays = std::vector<RayCena<T>>(),
             places = std::vector<std::size_t>(),
             bytes = std::vector<Rgb8>()](const Region& tile) mutable {
+      const auto place = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(region.width) +
+               static_cast<std::size_t>(x);
+      };
+      KeptTile kept(options.keeper, tile, place(tile.x, tile.y), planes);
+      if (kept.taken()) return;
+      const RayCounts before = options.keeper ? tracer->counts() : RayCounts{};
       // Squares of squares, so that packets' rays are neighbours and batches too.
       for_each_square(tile, kBatchSide, [&](const Region& batch) {
-        if (stop.stop_requested()) return;
+        if (stop.stop_requested()) {
+          kept.leave();
+          return;
+        }
         rays.clear();
         places.clear();
         for_each_square(batch, kPacketSide, [&](const Region& block) {
           for (int y = block.y; y < block.y + block.height; ++y)
             for (int x = block.x; x < block.x + block.width; ++x) {
               rays.push_back(model.camera.primary_ray(region.x + x, region.y + y, options.size));
-              places.push_back(static_cast<std::size_t>(y) *
-                                   static_cast<std::size_t>(region.width) +
-                               static_cast<std::size_t>(x));
+              places.push_back(place(x, y));
             }
         });
         bytes.resize(rays.size());
         tracer->pixels(rays, bytes);
         for (std::size_t p = 0; p < bytes.size(); ++p) planes.set(places[p], bytes[p]);
       });
+      if (options.keeper) kept.keep(tracer->counts().since(before));
     };
   };
   result.complete = for_each_tile(planes.size, options.threads, make_worker, progress, stop);
   for (const auto& tracer : tracers) result.counts += tracer->counts();
+  if (options.keeper) result.counts += options.keeper->taken_counts();
   result.planes = std::move(planes);
   result.trace_seconds = seconds_since(traced);
   result.processor_seconds = processor_seconds() - processor;

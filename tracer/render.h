@@ -5,6 +5,7 @@
 #include "tracer/antialias.h"
 #include "tracer/model.h"
 #include "tracer/ray_counts.h"
+#include "tracer/tile_keeper.h"
 #include "tracer/tiles.h"
 #include "tracer/trace_log.h"
 #include "tracer/trace_options.h"
@@ -24,6 +25,7 @@ struct RenderOptions {
   Precision precision = Precision::double_;
   TraceOptions trace;
   AntialiasOptions antialias;
+  TileKeeper* keeper = nullptr;  ///< given the tiles as they are finished, and asked for them first
 
   /// Whether more than one ray a pixel is both wanted and allowed.
   bool antialiased() const {
@@ -36,8 +38,8 @@ struct RenderOptions {
 Region region_or_all(const Region& region, ImageSize size);
 
 struct RenderResult {
-  Planes planes;  ///< of the region
-  RayCounts counts;
+  Planes planes;     ///< of the region
+  RayCounts counts;  ///< with those of tiles that a keeper gave
   AntialiasCounts antialias;
   double prepare_seconds = 0;  ///< matrices, envelopes, hierarchy
   double trace_seconds = 0;

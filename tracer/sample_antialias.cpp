@@ -9,13 +9,26 @@
 
 namespace sir {
 
-bool antialias(const RenderOptions& options, const SampleSource& source, RenderResult& result) {
+bool antialias(const RenderOptions& options, PointSampler& sampler,
+               const std::function<void(double)>& progress, const std::stop_token& stop,
+               RenderResult& result) {
   if (!options.antialias.valid())
     throw std::invalid_argument("an option of antialiasing is out of its range");
   const Region region = region_or_all(options.region, options.size);
-  const auto sample =
-      options.antialias.mode == Antialias::adaptive ? sample_adaptive : sample_random;
-  return sample(region, options.antialias, source, result.planes, result.antialias);
+  bool complete = false;
+  if (options.antialias.mode == Antialias::adaptive) {
+    complete = sample_adaptive(region, options.antialias, sampler.source(progress, stop),
+                               result.planes, result.antialias);
+  } else {
+    PixelKeeping keeping;
+    if (options.keeper)
+      keeping = {options.keeper, sampler.keep_no_more(), [&] { return sampler.counts(); }};
+    complete = sample_random(region, options.antialias, sampler.source(progress, stop),
+                             result.planes, result.antialias, keeping);
+  }
+  // Levels that nothing called for are not reported.
+  if (complete && progress) progress(1);
+  return complete;
 }
 
 RenderResult render_antialiased(const Scene& scene, const RenderOptions& options,
@@ -31,9 +44,7 @@ RenderResult render_antialiased(const Scene& scene, const RenderOptions& options
   result.prepare_seconds = seconds(Clock::now() - start);
   const auto traced = Clock::now();
   const double processor = processor_seconds();
-  result.complete = antialias(options, sampler.source(progress, stop), result);
-  // Levels that nothing called for are not reported.
-  if (result.complete && progress) progress(1);
+  result.complete = antialias(options, sampler, progress, stop, result);
   result.counts = sampler.counts();
   result.trace_seconds = seconds(Clock::now() - traced);
   result.processor_seconds = processor_seconds() - processor;

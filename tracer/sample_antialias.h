@@ -13,8 +13,10 @@ RenderResult render_antialiased(const Scene& scene, const RenderOptions& options
                                 const std::function<void(double)>& progress = {},
                                 std::stop_token stop = {});
 
-/// The same with a source of samples for the options' image: fills in result.planes and
+/// The same with a sampler made for the options: fills in result.planes and
 /// result.antialias; false where it was stopped.
-bool antialias(const RenderOptions& options, const SampleSource& source, RenderResult& result);
+bool antialias(const RenderOptions& options, PointSampler& sampler,
+               const std::function<void(double)>& progress, const std::stop_token& stop,
+               RenderResult& result);
 
 }  // namespace sir

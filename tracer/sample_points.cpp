@@ -14,6 +14,7 @@ class PointSampler::Work {
   virtual ~Work() = default;
   virtual bool trace(std::span<const ScreenPoint> points, std::span<Rgb8> colours,
                      const std::function<void(double)>& progress, const std::stop_token& stop) = 0;
+  virtual std::uint32_t keep_no_more() = 0;
   virtual RayCounts counts() const = 0;
   virtual const EffectSet& effects() const = 0;
 };
@@ -33,6 +34,7 @@ class PointSampler::WorkIn final : public PointSampler::Work {
     // together. What asks for points has them in rows, or a pixel's side by side: sorting
     // them by place was measured to gain nothing.
     constexpr std::size_t kPiece = 256;
+    const std::uint32_t stage = stage_++;
     std::size_t workers = 0;
     const auto make_worker = [&]() -> PieceWorker {
       if (workers == tracers_.size())
@@ -41,19 +43,29 @@ class PointSampler::WorkIn final : public PointSampler::Work {
               rays = std::vector<RayCena<T>>()](std::int64_t piece) mutable {
         const std::size_t begin = static_cast<std::size_t>(piece) * kPiece;
         const std::size_t count = std::min(kPiece, points.size() - begin);
+        const auto seen = colours.subspan(begin, count);
+        if (keeper_ && keeper_->take({stage, begin}, seen)) return;
+        const RayCounts before = keeper_ ? tracer->counts() : RayCounts{};
         rays.clear();
         for (const ScreenPoint& point : points.subspan(begin, count))
           rays.push_back(model_.camera.ray_through(point.x, point.y, options_.size));
-        tracer->pixels(rays, colours.subspan(begin, count));
+        tracer->pixels(rays, seen);
+        if (keeper_) keeper_->keep({stage, begin}, seen, tracer->counts().since(before));
       };
     };
     const auto pieces = static_cast<std::int64_t>((points.size() + kPiece - 1) / kPiece);
     return for_each_piece(pieces, options_.threads, make_worker, progress, stop);
   }
 
+  std::uint32_t keep_no_more() override {
+    keeper_ = nullptr;
+    return stage_;
+  }
+
   RayCounts counts() const override {
     RayCounts sum;
     for (const auto& tracer : tracers_) sum += tracer->counts();
+    if (options_.keeper) sum += options_.keeper->taken_counts();
     return sum;
   }
 
@@ -63,6 +75,8 @@ class PointSampler::WorkIn final : public PointSampler::Work {
   RenderOptions options_;
   Model<T> model_;
   EffectSet effects_;
+  TileKeeper* keeper_ = options_.keeper;
+  std::uint32_t stage_ = 0;
   std::vector<std::unique_ptr<PixelTracer<T>>> tracers_;
 };
 
@@ -98,6 +112,7 @@ SampleSource PointSampler::source(std::function<void(double)> progress, std::sto
   };
 }
 
+std::uint32_t PointSampler::keep_no_more() { return work_->keep_no_more(); }
 RayCounts PointSampler::counts() const { return work_->counts(); }
 const EffectSet& PointSampler::effects() const { return work_->effects(); }
 

@@ -41,9 +41,9 @@ class PointSampler {
   PointSampler(PointSampler&&) noexcept;
   PointSampler& operator=(PointSampler&&) noexcept;
 
-  /// The samples of the points; colours.size() == points.size(). The same for any
-  /// number of threads. `progress`, if given, is called as by render(). A stop
-  /// request takes effect within 256 points of each thread; false then.
+  /// The samples of the points, kept as a stage of their own by the options' keeper; colours.size()
+  /// == points.size(). The same for any number of threads. `progress`, if given, is called as by
+  /// render(). A stop request takes effect within 256 points of each thread; false then.
   bool trace(std::span<const ScreenPoint> points, std::span<Rgb8> colours,
              const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
 
@@ -51,7 +51,11 @@ class PointSampler {
   /// outlive it.
   SampleSource source(std::function<void(double)> progress, std::stop_token stop);
 
-  RayCounts counts() const;          ///< of all calls so far
+  /// Ends the keeping of samples, for who keeps what is made of them; the number of the stage
+  /// that follows.
+  std::uint32_t keep_no_more();
+
+  RayCounts counts() const;          ///< of all calls so far, with those of tiles taken
   const EffectSet& effects() const;  ///< those that the scene and the options call for
 
  private:

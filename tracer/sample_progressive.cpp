@@ -60,8 +60,7 @@ class Progressive {
 
   bool antialias() {
     RenderResult finished;
-    if (!sir::antialias(options_, sampler_.source(progress_, stop_), finished)) return false;
-    if (progress_) progress_(1);
+    if (!sir::antialias(options_, sampler_, progress_, stop_, finished)) return false;
     picture_ = std::move(finished.planes);
     result_.antialias = std::move(finished.antialias);
     return true;

@@ -60,17 +60,20 @@ ScreenPoint scattered_point(std::uint64_t seed, int i, int j, int sample, int sa
 }
 
 bool sample_random(const Region& region, const AntialiasOptions& options,
-                   const SampleSource& source, Planes& planes, AntialiasCounts& counts) {
+                   const SampleSource& source, Planes& planes, AntialiasCounts& counts,
+                   const PixelKeeping& keeping) {
   planes = Planes(ImageSize{region.width, region.height});
   const auto samples = static_cast<std::size_t>(options.samples);
   const auto width = static_cast<std::size_t>(region.width);
   const std::size_t pixels = planes.size.pixels();
-  constexpr std::size_t kPoints = 1 << 18;  // at a time
+  // At a time: enough for many threads, few enough to be done soon, for who keeps them.
+  constexpr std::size_t kPoints = 1 << 16;
   const std::size_t batch = std::max<std::size_t>(kPoints / samples, 1);
   std::vector<ScreenPoint> points;
-  std::vector<Rgb8> seen;
-  for (std::size_t begin = 0; begin < pixels; begin += batch) {
-    const std::size_t end = std::min(begin + batch, pixels);
+  std::vector<Rgb8> seen, means;
+  // The means of a batch, from its samples.
+  const auto trace = [&](std::size_t begin) {
+    const std::size_t end = begin + means.size();
     points.clear();
     for (std::size_t p = begin; p < end; ++p)
       for (int s = 0; s < options.samples; ++s)
@@ -80,10 +83,9 @@ bool sample_random(const Region& region, const AntialiasOptions& options,
     seen.resize(points.size());
     if (!source(points, seen, {double(begin) / double(pixels), double(end) / double(pixels)}))
       return false;
-    counts.points += points.size();
-    for (std::size_t p = begin; p < end; ++p) {
+    for (std::size_t p = 0; p < means.size(); ++p) {
       std::size_t r = 0, g = 0, b = 0;
-      for (std::size_t s = (p - begin) * samples; s < (p - begin + 1) * samples; ++s) {
+      for (std::size_t s = p * samples; s < (p + 1) * samples; ++s) {
         r += seen[s].r;
         g += seen[s].g;
         b += seen[s].b;
@@ -91,8 +93,21 @@ bool sample_random(const Region& region, const AntialiasOptions& options,
       const auto mean = [&](std::size_t sum) {
         return static_cast<std::uint8_t>((2 * sum + samples) / (2 * samples));
       };
-      planes.set(p, {mean(r), mean(g), mean(b)});
+      means[p] = {mean(r), mean(g), mean(b)};
     }
+    return true;
+  };
+  for (std::size_t begin = 0; begin < pixels; begin += batch) {
+    means.resize(std::min(batch, pixels - begin));
+    if (!keeping.keeper) {
+      if (!trace(begin)) return false;
+    } else if (!keeping.keeper->take({keeping.stage, begin}, means)) {
+      const RayCounts before = keeping.counts();
+      if (!trace(begin)) return false;
+      keeping.keeper->keep({keeping.stage, begin}, means, keeping.counts().since(before));
+    }
+    counts.points += means.size() * samples;
+    for (std::size_t p = 0; p < means.size(); ++p) planes.set(begin + p, means[p]);
   }
   return true;
 }

@@ -15,9 +15,19 @@ namespace sir {
 /// the arguments alone; the hash is that of splitmix64 (Steele, Lea, Flood 2014).
 ScreenPoint scattered_point(std::uint64_t seed, int i, int j, int sample, int samples);
 
+/// Who keeps finished pixels, as which stage, and how what they cost is learnt: the counts of all
+/// rays so far.
+struct PixelKeeping {
+  TileKeeper* keeper = nullptr;
+  std::uint32_t stage = 0;
+  std::function<RayCounts()> counts;
+};
+
 /// The pixels of `region` of an image, as planes of the region's size: each the mean of
-/// options.samples samples at scattered_point(). False where the source was stopped.
+/// options.samples samples at scattered_point(). False where the source was stopped. Asks for
+/// some 2^16 samples at a time; what `keeping` has of their pixels is not asked for.
 bool sample_random(const Region& region, const AntialiasOptions& options,
-                   const SampleSource& source, Planes& planes, AntialiasCounts& counts);
+                   const SampleSource& source, Planes& planes, AntialiasCounts& counts,
+                   const PixelKeeping& keeping = {});
 
 }  // namespace sir

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "tracer/atomic_file.h"
+#include "tracer/atomic_files.h"
+#include "tracer/limits.h"
 #include "tracer/scene_path.h"
 
 namespace sir {
@@ -49,6 +50,12 @@ Scene read_scene(const std::filesystem::path& base) {
   Scene scene{read_csg(csg), read_camera(cam), read_lighting(luz), read_surfaces(sup)};
   check_surfaces(scene.tree, scene.surfaces, csg.name(), sup.name());
   return scene;
+}
+
+void require_at_most(const TextFile& file, std::int64_t announced, const char* things) {
+  if (static_cast<std::uint64_t>(announced) > limits().nodes)
+    file.fail("the file announces " + std::to_string(announced) + " " + things + "; " +
+              at_most(limits().nodes, things, "--max-nodes"));
 }
 
 std::string csg_text(const CsgTree& tree) {
@@ -105,10 +112,12 @@ std::string surfaces_text(const std::vector<Surface>& surfaces) {
 }
 
 void write_scene(const std::filesystem::path& base, const Scene& scene) {
-  write_file_atomically(with_suffix(base, "CSG"), csg_text(scene.tree));
-  write_file_atomically(with_suffix(base, "CAM"), camera_text(scene.camera));
-  write_file_atomically(with_suffix(base, "LUZ"), lighting_text(scene.lighting));
-  write_file_atomically(with_suffix(base, "SUP"), surfaces_text(scene.surfaces));
+  AtomicFiles files;
+  files.add(with_suffix(base, "CSG")).write(csg_text(scene.tree));
+  files.add(with_suffix(base, "CAM")).write(camera_text(scene.camera));
+  files.add(with_suffix(base, "LUZ")).write(lighting_text(scene.lighting));
+  files.add(with_suffix(base, "SUP")).write(surfaces_text(scene.surfaces));
+  files.commit();
 }
 
 }  // namespace sir

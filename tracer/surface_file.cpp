@@ -1,4 +1,5 @@
 // .SUP (BASICO, thesis 3.3; textures 2.4.4).
+#include <algorithm>
 #include <set>
 
 #include "tracer/scene_file.h"
@@ -32,6 +33,9 @@ std::vector<Surface> read_surfaces(TextFile& file) {
   std::vector<Surface> surfaces;
   std::set<std::int64_t> numbers;
   const auto announced = file.read_count("the number of surfaces");
+  require_at_most(file, announced, "surfaces");
+  constexpr std::size_t kLeastBytes = 28;  // a surface has more
+  surfaces.reserve(std::min(static_cast<std::size_t>(announced), file.size() / kLeastBytes));
   for (std::int64_t i = 0; i < announced; ++i) {
     if (file.at_end())
       file.fail("the file announces " + counted(announced, "surface") + " and ends after " +

@@ -4,17 +4,13 @@
 #include <utf8proc.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 
 #include "tracer/error.h"
-#include "tracer/memory_hints.h"
+#include "tracer/utf8.h"
 
 namespace sir {
 namespace {
@@ -36,79 +32,6 @@ std::string_view take_token(std::string_view& line) {
   const auto token = line.substr(from, to - from);
   line.remove_prefix(to);
   return token;
-}
-
-// How many of the first bytes are surely ASCII, eight at a time.
-std::size_t ascii_prefix(std::string_view text) {
-  std::size_t size = 0;
-  std::uint64_t eight = 0;
-  for (; size + sizeof eight <= text.size(); size += sizeof eight) {
-    std::memcpy(&eight, text.data() + size, sizeof eight);
-    if ((eight & 0x8080808080808080u) != 0) break;
-  }
-  return size;
-}
-
-bool is_utf8(std::string_view text) {
-  for (;;) {
-    text.remove_prefix(ascii_prefix(text));
-    if (text.empty()) break;
-    utf8proc_int32_t unused = 0;
-    const auto used = utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
-                                       static_cast<utf8proc_ssize_t>(text.size()), &unused);
-    if (used <= 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(used));
-  }
-  return true;
-}
-
-std::string latin1_to_utf8(std::string_view text) {
-  std::string result;
-  result.reserve(text.size() + text.size() / 8);
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (code < 0x80) {
-      result += letter;
-    } else {
-      result += static_cast<char>(0xC0 | (code >> 6));
-      result += static_cast<char>(0x80 | (code & 0x3F));
-    }
-  }
-  return result;
-}
-
-std::string read_all(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw FileError(name, 0, "is a folder");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"),
-                                                             std::fclose);
-  if (!file) throw FileError(name, 0, std::string("cannot be read: ") + std::strerror(errno));
-  std::setvbuf(file.get(), nullptr, _IONBF, 0);  // it is read in large pieces anyway
-  std::string text;
-  const auto announced = std::filesystem::file_size(path, ignored);  // a pipe has none
-  if (!ignored) reserve_all(text, std::min<std::uintmax_t>(announced, TextFile::kMaxFile));
-  const auto fail = [&](const std::string& reason) {
-    const auto line = 1 + std::count(text.begin(), text.end(), '\n');
-    throw FileError(name, static_cast<std::size_t>(line), reason);
-  };
-  std::array<char, 1 << 16> chunk;
-  static_assert(chunk.size() <= TextFile::kMaxLine);
-  std::size_t line_length = 0;  // of the last line so far
-  while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
-    // Checked while reading, so that a line of gigabytes costs a megabyte. Lines
-    // that begin and end in one piece are short enough.
-    const std::string_view piece(chunk.data(), got);
-    const auto first_end = piece.find('\n');
-    if (line_length + std::min(first_end, got) > TextFile::kMaxLine)
-      fail("the line is longer than " + std::to_string(TextFile::kMaxLine) + " bytes");
-    line_length = first_end == piece.npos ? line_length + got : got - 1 - piece.rfind('\n');
-    text += piece;
-    if (text.size() > TextFile::kMaxFile)
-      fail("the file is longer than " + std::to_string(TextFile::kMaxFile) + " bytes");
-  }
-  if (std::ferror(file.get())) fail("cannot be read further");
-  return text;
 }
 
 }  // namespace
@@ -181,19 +104,34 @@ std::vector<std::string_view> split_tokens(std::string_view line) {
 }
 
 TextFile::TextFile(const std::filesystem::path& path)
-    : name_(path.string()), text_(read_all(path)) {
-  settle_encoding();
+    : name_(path.string()), source_(path), utf8_(source_->utf8()), size_(source_->size()) {
+  read_on();
+  skip_byte_order_mark();
 }
 
 TextFile::TextFile(std::string name, std::string text)
-    : name_(std::move(name)), text_(std::move(text)) {
-  settle_encoding();
+    : name_(std::move(name)), text_(std::move(text)), utf8_(is_utf8(text_)), size_(text_.size()) {
+  skip_byte_order_mark();
 }
 
-void TextFile::settle_encoding() {
+void TextFile::skip_byte_order_mark() {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text_.starts_with(kByteOrderMark)) text_.erase(0, kByteOrderMark.size());
-  if (!is_utf8(text_)) text_ = latin1_to_utf8(text_);
+  if (text_.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
+}
+
+bool TextFile::read_on() {
+  if (!source_) return false;
+  text_.erase(0, position_);
+  position_ = 0;
+  if (source_->read(text_, number_ + 1)) return true;
+  source_.reset();
+  return false;
+}
+
+std::string TextFile::whole() {
+  while (read_on()) continue;
+  const std::string_view text = std::string_view(text_).substr(position_);
+  return utf8_ ? std::string(text) : latin1_to_utf8(text);
 }
 
 bool TextFile::next() {
@@ -201,14 +139,20 @@ bool TextFile::next() {
     put_back_ = false;
     return true;
   }
-  while (position_ < text_.size()) {
-    const auto end = std::min(text_.find('\n', position_), text_.size());
+  for (;;) {
+    auto end = text_.find('\n', position_);
+    if (end == text_.npos) {
+      if (read_on()) continue;
+      end = text_.size();
+      if (position_ >= end) return false;
+    }
     line_ = trim(std::string_view(text_).substr(position_, end - position_));
-    position_ = end + 1;
+    position_ = std::min(end + 1, text_.size());
     ++number_;
-    if (!line_.empty()) return true;
+    if (line_.empty()) continue;
+    if (!utf8_) line_ = decoded_ = latin1_to_utf8(line_);
+    return true;
   }
-  return false;
 }
 
 void TextFile::fail_at_end(std::string_view what) const {

@@ -5,11 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+#include "tracer/text_source.h"
 
 namespace sir {
 
@@ -48,14 +51,11 @@ concept Naming = std::convertible_to<const What&, std::string_view> ||
 
 /// Reads a text file line by line. The file is UTF-8, else ISO-8859-1; lines
 /// end in LF or CRLF; blank lines are passed over. Every error is a FileError
-/// that names the file and the line. Lines are at most kMaxLine bytes long,
-/// files at most kMaxFile.
+/// that names the file and the line. No more than a piece of a large file is in
+/// memory at once; what is too long for the limits of tracer/limits.h is refused.
 class TextFile {
  public:
-  static constexpr std::size_t kMaxLine = std::size_t{1} << 20;
-  static constexpr std::size_t kMaxFile = std::size_t{1} << 30;
-
-  /// Reads the whole file. Throws FileError.
+  /// Looks through the whole file. Throws FileError.
   explicit TextFile(const std::filesystem::path& path);
 
   /// The same for a text in memory; `name` stands for the file in errors.
@@ -69,7 +69,7 @@ class TextFile {
     if (!next()) fail_at_end(name_by(what));
   }
 
-  /// The current line without surrounding white space, in UTF-8.
+  /// The current line without surrounding white space, in UTF-8. It is gone after next().
   std::string_view line() const { return line_; }
 
   /// Number of the current line, from 1.
@@ -106,8 +106,12 @@ class TextFile {
 
   const std::string& name() const { return name_; }
 
-  /// Bytes of the whole text.
-  std::size_t size() const { return text_.size(); }
+  /// Bytes of the whole text, as it stands in the file.
+  std::size_t size() const { return size_; }
+
+  /// The whole text, in UTF-8, for who keeps it; to be asked before the first next(). All of it is
+  /// in memory from then on.
+  std::string whole();
 
  private:
   static std::string name_by(const Naming auto& what) {
@@ -123,10 +127,15 @@ class TextFile {
   [[noreturn]] void fail_in_numbers(std::string_view what, std::size_t wanted,
                                     std::size_t found) const;
   [[noreturn]] void fail_in_count(std::string_view what) const;
-  void settle_encoding();
+  void skip_byte_order_mark();
+  bool read_on();
 
   std::string name_;
-  std::string text_;
+  std::optional<TextSource> source_;  // none: the text is in memory, or all has been read
+  std::string text_;                  // from somewhere before the current line
+  bool utf8_;
+  std::size_t size_;
+  std::string decoded_;  // the current line, where the file is not UTF-8
   std::size_t position_ = 0;
   std::size_t number_ = 0;
   std::string_view line_;

@@ -77,6 +77,9 @@ Lighting read_lighting(TextFile& file) {
   refuse_negative(file, "ambient light", lighting.ambient);
 
   const auto announced = file.read_count("the number of lights");
+  require_at_most(file, announced, "lights");
+  constexpr std::size_t kLeastBytes = 8;  // a light has more
+  lighting.lights.reserve(std::min(static_cast<std::size_t>(announced), file.size() / kLeastBytes));
   for (std::int64_t i = 0; i < announced; ++i) {
     if (file.at_end())
       file.fail("the file announces " + counted(announced, "light") + " and ends after " +

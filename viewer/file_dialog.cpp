@@ -18,20 +18,6 @@ namespace fs = std::filesystem;
 constexpr const char* kPopup = "###file dialog";
 constexpr float kWidth = 620, kHeight = 460;
 
-// The picture is none of Dear ImGui's, which dims only its own.
-void dim_around() {
-  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  const ImVec2 high{low.x + size.x, low.y + size.y}, all = ImGui::GetIO().DisplaySize;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 shade = ImGui::GetColorU32(ImVec4(0.04f, 0.04f, 0.05f, 0.55f));
-  list.PushClipRectFullScreen();
-  list.AddRectFilled({0, 0}, {all.x, low.y}, shade);
-  list.AddRectFilled({0, high.y}, all, shade);
-  list.AddRectFilled({0, low.y}, {low.x, high.y}, shade);
-  list.AddRectFilled({high.x, low.y}, {all.x, high.y}, shade);
-  list.PopClipRect();
-}
-
 }  // namespace
 
 void FileDialog::open(Wanted wanted, const fs::path& folder) {

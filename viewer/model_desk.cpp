@@ -25,7 +25,10 @@ using modeler::NodePtr;
 }  // namespace
 
 ModelDesk::ModelDesk(DeskOptions options)
-    : interpreter_(std::move(options.outlet)), preview_(std::move(options.wake), options.threads) {}
+    : interpreter_(std::move(options.outlet)), preview_(std::move(options.wake), options.threads) {
+  if (options.journals)
+    keeper_ = std::make_unique<modeler::Keeper>(interpreter_, *options.journals, options.from);
+}
 
 template <typename Work>
 bool ModelDesk::attempt(Work work) {
@@ -54,8 +57,9 @@ void ModelDesk::say(const modeler::Reply& reply) {
 // For what is seen to be done: only a refusal is said, and one that was said is gone.
 bool ModelDesk::quietly(const std::string& line) {
   return attempt([&] {
-    interpreter_.execute(line);
+    const modeler::Reply reply = interpreter_.execute(line);
     dirty_ = true;
+    if (!reply.warnings.empty()) say(reply);
     if (std::exchange(refused_, false)) message_.clear();
   });
 }
@@ -242,6 +246,17 @@ void ModelDesk::refresh() {
   if (request.solid) request.guides = guides(*request.solid);
   preview_.request(std::move(request));
 }
+
+void ModelDesk::begin() {
+  if (keeper_) keeper_->begin();
+}
+
+std::vector<modeler::KeptSession> ModelDesk::kept() const {
+  return keeper_ && !keeper_->recovered() ? keeper_->sessions()
+                                          : std::vector<modeler::KeptSession>();
+}
+
+std::string ModelDesk::end() { return keeper_ ? keeper_->end() : std::string(); }
 
 void ModelDesk::close() {
   const std::vector<std::string> unsaved = interpreter_.unsaved();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "modeler/interpreter.h"
+#include "modeler/keeper.h"
 #include "modeler/preview.h"
 #include "viewer/model_probe.h"
 
@@ -20,6 +21,9 @@ struct DeskOptions {
   modeler::Outlet outlet;
   std::function<void()> wake = [] {};  ///< as of modeler::Preview
   int threads = 0;                     ///< of the tracer; 0: as many as cores
+  /// Where journals are (modeler/keeper.h); empty: there is no such place; none: nothing is kept.
+  std::optional<std::filesystem::path> journals = {};
+  std::string from = {};  ///< what the session begins with, for its journal
 };
 
 using modeler::Selection;
@@ -105,6 +109,15 @@ class ModelDesk {
   /// Whether the picture is not yet that of what there is.
   bool busy() const { return dirty_ || preview_.busy(); }
 
+  /// What has been done so far was not done by a person. From here on it is.
+  void begin();
+
+  /// Sessions that can be recovered, the last one first; none where one has been.
+  std::vector<modeler::KeptSession> kept() const;
+
+  /// Ends the journal, as of a session that is over: a line that says so where it stays, else "".
+  std::string end();
+
   /// Asks to leave: refused once where solids are not saved.
   void close();
   bool closed() const { return closed_; }
@@ -117,6 +130,7 @@ class ModelDesk {
   std::vector<modeler::GuideLine> guides(const modeler::Node& shown) const;
 
   modeler::Interpreter interpreter_;
+  std::unique_ptr<modeler::Keeper> keeper_;
   std::string message_;
   bool refused_ = false, closed_ = false, warned_ = false;
   bool dragging_ = false;

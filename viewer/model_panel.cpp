@@ -37,6 +37,8 @@ void ModelPanel::draw(ModelDesk& desk, ModelHand& hand) {
   ImGui::EndChild();
   draw_commands(desk);
   files_.draw(desk, [this](const std::string& label) { note(label); });
+  if (auto line = offer_.draw([this](const std::string& label) { note(label); }))
+    pending_.push_back(std::move(*line));
   for (const std::string& line : std::exchange(pending_, {}))
     if (!desk.execute(line)) break;
   // A drag ends where the hand lets go of the field, or Tab leads on to the next.

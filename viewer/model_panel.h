@@ -18,6 +18,7 @@
 #include "viewer/model_files.h"
 #include "viewer/model_hand.h"
 #include "viewer/model_line.h"
+#include "viewer/model_offer.h"
 #include "viewer/tree_rows.h"
 
 namespace sir::viewer {
@@ -30,6 +31,9 @@ class ModelPanel {
 
   /// The dialogs that keys open.
   ModelFiles& files() { return files_; }
+
+  /// Asks, before anything is done, what is to become of sessions that were not ended.
+  void offer(std::vector<modeler::KeptSession> sessions) { offer_.open(std::move(sessions)); }
 
   /// Centres of what was drawn last, by what is written on it; solids by their names in quotes.
   const std::map<std::string, std::pair<int, int>>& spots() const { return spots_; }
@@ -67,6 +71,7 @@ class ModelPanel {
   std::vector<std::string> pending_;  // commands, to be done when nothing is being drawn
   ModelFiles files_;
   ModelLine line_;
+  ModelOffer offer_;
 
   TreeRows rows_;
   Text filter_{};

@@ -82,6 +82,19 @@ void set_model_style(float density, bool smooth) {
   colours[ImGuiCol_ModalWindowDimBg] = grey(0, 0);  // the dialog sees to it
 }
 
+void dim_around() {
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const ImVec2 high{low.x + size.x, low.y + size.y}, all = ImGui::GetIO().DisplaySize;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 shade = ImGui::GetColorU32(ImVec4(0.04f, 0.04f, 0.05f, 0.55f));
+  list.PushClipRectFullScreen();
+  list.AddRectFilled({0, 0}, {all.x, low.y}, shade);
+  list.AddRectFilled({0, high.y}, all, shade);
+  list.AddRectFilled({0, low.y}, {low.x, high.y}, shade);
+  list.AddRectFilled({high.x, low.y}, {all.x, high.y}, shade);
+  list.PopClipRect();
+}
+
 void push_main_button() {
   ImGui::PushStyleColor(ImGuiCol_Button, accent(0.75f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, accent(1));

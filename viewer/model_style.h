@@ -19,6 +19,10 @@ inline constexpr unsigned char kSurround = 26;
 /// first drawing.
 void set_model_style(float density, bool smooth);
 
+/// Darkens what is around the dialog that is being drawn: Dear ImGui dims only its own, which the
+/// picture is not.
+void dim_around();
+
 /// The button that does what the part it stands in is for.
 void push_main_button();
 void pop_main_button();

@@ -50,6 +50,8 @@ class ModelWindow::Impl {
     SDL_GetRendererInfo(renderer_.get(), &about);
     set_model_style(static_cast<float>(density()), (about.flags & SDL_RENDERER_SOFTWARE) == 0);
     prepare(desk_);
+    desk_.begin();
+    panel_.offer(desk_.kept());
     present();
   }
 

@@ -18,12 +18,12 @@ namespace {
 /// and write() throws it again.
 class PngWriter {
  public:
-  explicit PngWriter(const std::filesystem::path& path) : path_(path), file_(path) {
+  explicit PngWriter(AtomicFile& file) : file_(file) {
     png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, &reason_, on_png_error, on_png_warning);
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ == nullptr) {
       png_destroy_write_struct(&png_, nullptr);
-      throw FileError(path_.string(), 0, "cannot be written: out of memory");
+      throw FileError(file_.destination().string(), 0, "cannot be written: out of memory");
     }
     png_set_write_fn(png_, this, put, flush);
   }
@@ -39,8 +39,8 @@ class PngWriter {
     const bool done = png_succeeds(png_, step);
     if (failure_) std::rethrow_exception(failure_);
     if (!done)
-      throw FileError(path_.string(), 0, std::string("cannot be written: ") + reason_.text);
-    file_.commit();
+      throw FileError(file_.destination().string(), 0,
+                      std::string("cannot be written: ") + reason_.text);
   }
 
  private:
@@ -56,17 +56,16 @@ class PngWriter {
   }
   static void flush(png_structp) {}
 
-  std::filesystem::path path_;
-  AtomicFile file_;
+  AtomicFile& file_;
   std::exception_ptr failure_;
   PngReason reason_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
 };
 
-void require_pixels(const std::filesystem::path& path, ImageSize size) {
+void require_pixels(const AtomicFile& file, ImageSize size) {
   if (size.width < 1 || size.height < 1)
-    throw FileError(path.string(), 0, "an image without pixels cannot be a PNG");
+    throw FileError(file.destination().string(), 0, "an image without pixels cannot be a PNG");
 }
 
 void set_header(const PngWriter& file, ImageSize size, int colour_type) {
@@ -79,8 +78,14 @@ void set_header(const PngWriter& file, ImageSize size, int colour_type) {
 }  // namespace
 
 void write_rgb_png(const std::filesystem::path& path, const Planes& planes) {
-  require_pixels(path, planes.size);
-  PngWriter file(path);
+  AtomicFile file(path);
+  write_rgb_png(file, planes);
+  file.commit();
+}
+
+void write_rgb_png(AtomicFile& output, const Planes& planes) {
+  require_pixels(output, planes.size);
+  PngWriter file(output);
   const auto width = static_cast<std::size_t>(planes.size.width);
   std::vector<std::uint8_t> row(3 * width);
   file.write([&] {
@@ -96,8 +101,14 @@ void write_rgb_png(const std::filesystem::path& path, const Planes& planes) {
 }
 
 void write_indexed_png(const std::filesystem::path& path, const eltek::IndexedScreen& screen) {
-  require_pixels(path, screen.size);
-  PngWriter file(path);
+  AtomicFile file(path);
+  write_indexed_png(file, screen);
+  file.commit();
+}
+
+void write_indexed_png(AtomicFile& output, const eltek::IndexedScreen& screen) {
+  require_pixels(output, screen.size);
+  PngWriter file(output);
   const auto width = static_cast<std::size_t>(screen.size.width);
   file.write([&] {
     set_header(file, screen.size, PNG_COLOR_TYPE_PALETTE);

@@ -56,7 +56,8 @@ void add_cost(CLI::App& app, Action& action) {
              "say which is the cheapest that reaches this PSNR; exit 3 where nothing does");
   add_only(sub, *options);
   sub->add_option("--repeats", options->repeats, "timed runs of each row (5)")
-      ->check(CLI::Range(1, 1000));
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
   sub->add_option("--threads", options->threads, "threads of the tracer (as many as cores)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");

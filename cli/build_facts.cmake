@@ -1,0 +1,45 @@
+# Writes build_facts.h, what `sir --version` says of the build, into the binary folder.
+string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+get_target_property(own sir_options INTERFACE_COMPILE_OPTIONS)
+list(FILTER own EXCLUDE REGEX "^-W|^\\$<")
+list(JOIN own " " own)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${own}" sir_flags)
+string(REGEX REPLACE " +" " " sir_flags "${sir_flags}")
+
+string(REGEX MATCHALL "-fsanitize=[^ ]+" sir_sanitizers "${sir_flags}")
+list(JOIN sir_sanitizers "," sir_sanitizers)
+string(REPLACE "-fsanitize=" "" sir_sanitizers "${sir_sanitizers}")
+
+# Of utf8proc 2.8 pkg-config says 2.6: its header knows.
+set(utf8proc_numbers)
+foreach(part MAJOR MINOR PATCH)
+  file(STRINGS ${utf8proc_INCLUDEDIR}/utf8proc.h line REGEX "^#define UTF8PROC_VERSION_${part} ")
+  string(REGEX REPLACE ".*VERSION_${part} +([0-9]+).*" "\\1" number "${line}")
+  list(APPEND utf8proc_numbers ${number})
+endforeach()
+list(JOIN utf8proc_numbers "." utf8proc_VERSION)
+
+set(libraries "libpng ${PNG_VERSION_STRING}" "lcms2 ${lcms2_VERSION}"
+  "utf8proc ${utf8proc_VERSION}" "GMP ${gmpxx_VERSION}" "Highway ${hwy_VERSION}"
+  "GLM ${glm_VERSION}" "fmt ${fmt_VERSION}" "CLI11 ${CLI11_VERSION}"
+  "JSON ${nlohmann_json_VERSION}")
+set(without)
+get_target_property(viewer sir_viewer INTERFACE_COMPILE_DEFINITIONS)
+if("SIR_WITH_SDL" IN_LIST viewer)
+  list(APPEND libraries "SDL2 ${SDL2_VERSION}")
+else()
+  list(APPEND without SDL2)
+endif()
+if("SIR_WITH_IMGUI" IN_LIST viewer)
+  list(APPEND libraries "ImGui ${imgui_VERSION}")
+else()
+  list(APPEND without ImGui)
+endif()
+if(libedit_FOUND)
+  list(APPEND libraries "libedit ${libedit_VERSION}")
+else()
+  list(APPEND without libedit)
+endif()
+list(JOIN libraries ", " sir_libraries)
+list(JOIN without ", " sir_without)
+configure_file(build_facts.h.in build_facts.h @ONLY)
