@@ -60,7 +60,7 @@ RenderOptions options_of(ByteSource& source) {
 void play_pipeline(Bytes bytes) {
   ByteSource source(bytes);
   const RenderOptions options = options_of(source);
-  const int method = source.below(kMethods);
+  const int method = source.below(kShownOnceIn);
   const auto scene = through_files(made_scene(source));
   if (scene) show_by_method(image_by_all_engines(*scene, options), method);
 }

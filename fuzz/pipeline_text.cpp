@@ -44,7 +44,8 @@ void play_pipeline_text(Bytes bytes) {
     return;
   RenderOptions options;
   options.size = {5, 4};
-  show_by_method(image_by_all_engines(scene, options), static_cast<int>(bytes.size() % kMethods));
+  show_by_method(image_by_all_engines(scene, options),
+                 static_cast<int>(bytes.size() % kShownOnceIn));
   options.precision = Precision::float_;
   image_by_all_engines(scene, options);
 }

@@ -57,6 +57,7 @@ void show(const Planes& image, const quant::Lut& lut) {
 }  // namespace
 
 void show_by_method(const Planes& image, int method) {
+  if (method >= kMethods) return;
   if (method >= kThesisMethods) {
     quant::WeightedColours colours;
     colours.add(image);

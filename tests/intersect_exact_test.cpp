@@ -152,6 +152,19 @@ TEST(IntersectExactly, TinySolidsOfGeneralPlacement) {
   }
 }
 
+// The squares of such distances are no doubles: the side's boundaries were lost, and a ray that
+// passes between the caps' planes met the solid wherever it was.
+TEST(IntersectExactly, SolidsAtDistancesWhoseSquaresOverflow) {
+  for (const double far : {1e150, 5.4e187, 1e250})
+    for (const PrimitiveKind kind : kKinds) {
+      Span<double> span;
+      EXPECT_FALSE(cross(kind, {}, {far, 0.5, 0.4375}, {-0.94, -0.34, 0}, span)) << far;
+      EXPECT_FALSE(cross(kind, {}, {-far, 0.5, far}, {0.94, 0.34, 0.5}, span)) << far;
+      ASSERT_TRUE(cross(kind, {}, {far, 0.5, 0.25}, {-1, 0, 0}, span)) << far;
+      EXPECT_DOUBLE_EQ(span.enter, far);
+    }
+}
+
 TEST(IntersectExactly, WhatIsNotFiniteMisses) {
   Span<double> span;
   const double huge = std::numeric_limits<double>::infinity();

@@ -19,9 +19,9 @@ struct Rounding<DoubleDouble> {
   static constexpr bool kFinal = false;
 
   /// Sums and products of two plain doubles have no error, unless they are so
-  /// small that the low part is lost.
+  /// small that the low part is lost, or too large: then nothing is known.
   static double of(const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& result) {
-    if (a.lo == 0 && b.lo == 0) return 0;
+    if (a.lo == 0 && b.lo == 0 && std::isfinite(result.hi)) return 0;
     return std::abs(result.hi) * kSum;
   }
   /// What a product of numbers that are not exactly 0 may lose by being small.

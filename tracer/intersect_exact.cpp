@@ -153,8 +153,15 @@ class ExactIntersection {
     return false;
   }
 
-  void enter_at(const Number<S>& t, std::uint8_t face) { enters_[enter_count_++] = {t, face}; }
-  void leave_at(const Number<S>& t, std::uint8_t face) { leaves_[leave_count_++] = {t, face}; }
+  void enter_at(const Number<S>& t, std::uint8_t face) { enters_[enter_count_++] = known(t, face); }
+  void leave_at(const Number<S>& t, std::uint8_t face) { leaves_[leave_count_++] = known(t, face); }
+
+  // An end of which nothing is known, because numbers on the way to it were too large, could not
+  // be compared with the others.
+  End<S> known(const Number<S>& t, std::uint8_t face) {
+    if (!std::isfinite(t.error)) decide_.doubt();
+    return {t, face};
+  }
 
   // 0 < coordinate < unit.
   bool slab(std::size_t axis, std::uint8_t low_face, std::uint8_t high_face) {
