@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bench/kill_cases.h"
+#include "tests/temp_folder.h"
 
 namespace {
 
@@ -28,23 +29,15 @@ int run(const std::string& program, int kills, const std::filesystem::path& fold
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const int kills = argc > 2 ? std::atoi(argv[2]) : kKills;
   if (argc < 2 || argc > 3 || kills < 1) {
     std::fputs("usage: kill_outputs SIR [N]\n", stderr);
     return 2;
   }
-  std::string name = (std::filesystem::temp_directory_path() / "sir-kill-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    std::perror(name.c_str());
-    return 1;
-  }
-  int code = 1;
-  try {
-    code = run(std::filesystem::absolute(argv[1]), kills, name);
-  } catch (const std::exception& failure) {
-    std::fprintf(stderr, "kill_outputs: %s\n", failure.what());
-  }
-  std::filesystem::remove_all(name);
-  return code;
+  const sir::test::TempFolder scratch;
+  return run(std::filesystem::absolute(argv[1]), kills, scratch.path());
+} catch (const std::exception& failure) {
+  std::fprintf(stderr, "kill_outputs: %s\n", failure.what());
+  return 1;
 }

@@ -19,6 +19,7 @@
 #include "bench/timing.h"
 #include "modeler/interpreter.h"
 #include "modeler/keeper.h"
+#include "tests/temp_folder.h"
 
 namespace {
 
@@ -88,21 +89,15 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-std::filesystem::path new_folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "modeler-bench-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  return name;
-}
-
 Cost run(const Kind& kind, int commands, Way way) {
   const bool undoing = way == Way::undoing;
   Interpreter session;
   kind.prepare(session);
   const int first = undoing ? commands / 2 : 0;
   for (int i = 0; i < first; ++i) session.execute(kind.command(i));
-  std::filesystem::path folder;
+  const sir::test::TempFolder folder;
   std::optional<sir::modeler::Keeper> keeper;
-  if (way == Way::kept) keeper.emplace(session, folder = new_folder());
+  if (way == Way::kept) keeper.emplace(session, folder.path());
   const double before = peak_megabytes();
   Cost cost;
   cost.seconds = sir::bench::milliseconds([&] {
@@ -113,8 +108,6 @@ Cost run(const Kind& kind, int commands, Way way) {
                  }) /
                  1000;
   cost.megabytes = peak_megabytes() - before;
-  keeper.reset();
-  if (!folder.empty()) std::filesystem::remove_all(folder);
   return cost;
 }
 

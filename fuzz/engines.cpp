@@ -5,26 +5,13 @@
 #include <string>
 
 #include "fuzz/target.h"
-#include "tracer/packet_target.h"
+#include "tests/instruction_sets.h"
+#include "tests/plain_image.h"
 #include "tracer/recentre.h"
 #include "tracer/trace.h"
 
 namespace sir::fuzz {
 namespace {
-
-// The plain path: every primitive, table 2.4, a whole tree of rays for each pixel.
-template <typename T>
-Planes plain_image(const Model<T>& model, const RenderOptions& options) {
-  TraceOptions plain = options.trace;
-  plain.engine = Engine::roth;
-  Tracer<T> tracer(model, plain);
-  Planes planes(options.size);
-  std::size_t p = 0;
-  for (int j = 0; j < options.size.height; ++j)
-    for (int i = 0; i < options.size.width; ++i, ++p)
-      planes.set(p, to_rgb8(tracer.radiance(model.camera.primary_ray(i, j, options.size))));
-  return planes;
-}
 
 void require_same(const Planes& found, const Planes& plain, const std::string& way) {
   if (found == plain) return;
@@ -35,24 +22,12 @@ void require_same(const Planes& found, const Planes& plain, const std::string& w
                      std::to_string(p % width) + ", row " + std::to_string(p / width));
 }
 
-// Packets on every instruction set that they are compiled for and this machine has; without them
-// once more at the end, as it is usually.
-template <typename Run>
-void with_each_instruction_set(const Run& run) {
-  for (std::int64_t rest = instruction_sets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
-    const std::int64_t target = rest & -rest;
-    packet_target().Update(target);
-    run(hwy::TargetName(target));
-  }
-  packet_target().Update(instruction_sets());
-}
-
 template <typename T>
 Planes image_in(const Scene& original, RenderOptions options) {
   const Recentred moved(original, offset_for(original, options.precision));
   const Scene& scene = moved;
   const Model<T> model(scene, options.trace.possible_effects());
-  const Planes plain = plain_image(model, options);
+  const Planes plain = test::plain_image(model, options);
   options.threads = 1;
   options.trace.packets = false;
   options.trace.engine = Engine::roth;
@@ -60,7 +35,7 @@ Planes image_in(const Scene& original, RenderOptions options) {
   options.trace.engine = Engine::gates;
   require_same(render_model(model, options).planes, plain, "gates");
   options.trace.packets = true;
-  with_each_instruction_set([&](const std::string& set) {
+  test::with_each_instruction_set([&](const std::string& set) {
     require_same(render_model(model, options).planes, plain, "packets (" + set + ")");
   });
   return plain;

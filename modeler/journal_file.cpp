@@ -1,7 +1,6 @@
 #include "modeler/journal_file.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,6 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include "tracer/all_signals_held.h"
+#include "tracer/atomic_file.h"
 #include "tracer/error.h"
 
 namespace sir::modeler {
@@ -20,30 +21,6 @@ using Path = std::filesystem::path;
 
 [[noreturn]] void fail(const Path& path, const char* what) {
   throw FileError(path.string(), 0, std::string(what) + ": " + std::strerror(errno));
-}
-
-// The thread that is made meanwhile gets no signals: they are for the one that reads.
-class WithoutSignals {
- public:
-  WithoutSignals() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before_);
-  }
-  ~WithoutSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  WithoutSignals(const WithoutSignals&) = delete;
-  WithoutSignals& operator=(const WithoutSignals&) = delete;
-
- private:
-  sigset_t before_;
-};
-
-// So that the file's name is on the disk as well.
-void sync_folder_of(const Path& path) {
-  const int folder = ::open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0) return;
-  ::fsync(folder);
-  ::close(folder);
 }
 
 }  // namespace
@@ -112,7 +89,7 @@ JournalFile::JournalFile(LockedFile file, std::size_t whole)
     : file_(std::move(file)), size_(whole) {
   if (::ftruncate(file_.descriptor(), static_cast<off_t>(whole)) != 0)
     fail(file_.path(), "cannot be written");
-  const WithoutSignals quiet;
+  const AllSignalsHeld held;  // the new thread gets none: they are for the one that reads
   syncer_ = std::jthread([this](const std::stop_token& stop) { keep_synced(stop); });
 }
 
@@ -157,7 +134,7 @@ void JournalFile::keep_synced(const std::stop_token& stop) {
     const Path path = file_.path();
     lock.unlock();
     ::fdatasync(file_.descriptor());
-    if (!std::exchange(named, true)) sync_folder_of(path);
+    if (!std::exchange(named, true)) (void)sync_folder_of(path);
     lock.lock();
   }
 }

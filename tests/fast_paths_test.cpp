@@ -8,7 +8,9 @@
 
 #include "bench/scenes.h"
 #include "tests/cases.h"
+#include "tests/instruction_sets.h"
 #include "tests/packet_scenes.h"
+#include "tests/plain_image.h"
 #include "tracer/recentre.h"
 #include "tracer/render.h"
 #include "tracer/sample_adaptive.h"
@@ -27,20 +29,6 @@ Scene image(const char* name) { return read_scene(std::filesystem::path(SIR_IMAG
 template <typename T>
 constexpr Precision kPrecision = std::is_same_v<T, float> ? Precision::float_ : Precision::double_;
 
-// The plain path: every primitive, table 2.4, one ray after the other.
-template <typename T>
-Planes plain_image(const Model<T>& model, const RenderOptions& options) {
-  TraceOptions plain = options.trace;
-  plain.engine = Engine::roth;
-  Tracer<T> tracer(model, plain);
-  Planes planes(options.size);
-  std::size_t p = 0;
-  for (int j = 0; j < options.size.height; ++j)
-    for (int i = 0; i < options.size.width; ++i, ++p)
-      planes.set(p, tracer.pixel(model.camera.primary_ray(i, j, options.size)));
-  return planes;
-}
-
 void expect_same(const Planes& found, const Planes& expected, const std::string& way) {
   ASSERT_EQ(found.size, expected.size);
   for (std::size_t p = 0; p < found.size.pixels(); ++p) {
@@ -56,7 +44,7 @@ void expect_the_plain_image(const Scene& original, RenderOptions options, std::u
   const Recentred moved(original, offset_for(original, kPrecision<T>));
   const Scene& scene = moved;
   const Model<T> model(scene, options.trace.possible_effects());
-  const Planes plain = plain_image(model, options);
+  const Planes plain = test::plain_image(model, options);
   options.threads = 1;
   for (const auto& [engine, way] : {std::pair{Engine::roth, "tiles"},
                                     {Engine::envelopes, "envelopes"},
@@ -258,7 +246,7 @@ void expect_plain_samples(const Scene& scene, RenderOptions options) {
     options.antialias.samples = 5;
     Planes expected;
     AntialiasCounts counts;
-    if (mode == Antialias::none) expected = plain_image(model, options);
+    if (mode == Antialias::none) expected = test::plain_image(model, options);
     else if (mode == Antialias::adaptive)
       ASSERT_TRUE(sample_adaptive(all, options.antialias, source, expected, counts));
     else ASSERT_TRUE(sample_random(all, options.antialias, source, expected, counts));

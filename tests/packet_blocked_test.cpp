@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/cases.h"
+#include "tests/instruction_sets.h"
 #include "tests/packet_scenes.h"
 #include "tracer/hit.h"
 #include "tracer/packet_blocked.h"

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tests/cases.h"
+#include "tests/instruction_sets.h"
 #include "tests/packet_scenes.h"
 #include "tracer/hit.h"
 #include "tracer/packet_first.h"

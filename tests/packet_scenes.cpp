@@ -1,7 +1,5 @@
 #include "tests/packet_scenes.h"
 
-#include "tracer/packet_target.h"
-
 #include <cmath>
 
 namespace sir::test {
@@ -32,15 +30,6 @@ Scene union_of_parts(std::uint64_t seed, int parts, double size, bool aligned) {
     root = n == 0 ? part : build.combine(Operation::union_of, root, part);
   }
   return build.finish(root);
-}
-
-void with_each_instruction_set(const std::function<void(const char* name)>& run) {
-  for (std::int64_t rest = instruction_sets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
-    const std::int64_t target = rest & -rest;
-    packet_target().Update(target);
-    run(hwy::TargetName(target));
-  }
-  packet_target().Update(instruction_sets());
 }
 
 }  // namespace sir::test

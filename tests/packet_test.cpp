@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "tests/instruction_sets.h"
 #include "tests/packet_scenes.h"
 #include "tracer/packet_intersect.h"
 

@@ -137,16 +137,19 @@ void AtomicFile::take_name() {
   if (closed != 0 && direct_) fail(errno);
 }
 
-void AtomicFile::sync_folder() const {
-  if (direct_) return;
-  const auto folder = destination_.has_parent_path() ? destination_.parent_path() : ".";
+int sync_folder_of(const std::filesystem::path& file) {
+  const auto folder = file.has_parent_path() ? file.parent_path() : ".";
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;  // a folder may be written that may not be read
-  const int synced = ::fsync(descriptor);
-  const int code = errno;
+  if (descriptor < 0) return 0;  // a folder may be written that may not be read
+  const int code = ::fsync(descriptor) == 0 ? 0 : errno;
   ::close(descriptor);
   // EINVAL: a file system that does this for files alone.
-  if (synced != 0 && code != EINVAL && code != ENOTSUP) fail(code);
+  return code == EINVAL || code == ENOTSUP ? 0 : code;
+}
+
+void AtomicFile::sync_folder() const {
+  if (direct_) return;
+  if (const int code = sync_folder_of(destination_); code != 0) fail(code);
 }
 
 void AtomicFile::commit() {

@@ -65,6 +65,10 @@ class AtomicFile {
 /// opened, for whoever reads them would take that for the end.
 void require_writable(const std::filesystem::path& destination);
 
+/// Sends a file's name to the disk, where a power cut does not reach it; errno where that failed,
+/// 0 where it is done or cannot be asked for.
+int sync_folder_of(const std::filesystem::path& file);
+
 /// Removes the temporary files of all AtomicFiles that are open: for a signal
 /// handler that ends the process at once, in which it may be called.
 void remove_temporaries() noexcept;

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <span>
+
+#include "tracer/fnv1a.h"
 
 namespace sir::viewer {
 namespace {
@@ -15,15 +18,15 @@ nanoseconds time_of(const timespec& time) {
   return std::chrono::seconds(time.tv_sec) + nanoseconds(time.tv_nsec);
 }
 
-// FNV-1a; 0 for what cannot be read.
+// 0 for what cannot be read.
 std::uint64_t hash_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  std::uint64_t hash = in ? 0xCBF29CE484222325 : 0;
+  std::uint64_t hash = in ? fnv1a({}) : 0;
   std::array<char, 1 << 16> part;
   while (in) {
     in.read(part.data(), part.size());
-    for (std::streamsize i = 0; i < in.gcount(); ++i)
-      hash = (hash ^ static_cast<unsigned char>(part[static_cast<std::size_t>(i)])) * 0x100000001B3;
+    const auto got = std::span(part).first(static_cast<std::size_t>(in.gcount()));
+    hash = fnv1a(std::as_bytes(got), hash);
   }
   return hash;
 }
